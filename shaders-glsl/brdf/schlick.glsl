@@ -1,0 +1,22 @@
+// How much does an interface reflect? Schlick 1994, with a colour at normal incidence.
+
+// Reflectance at grazing. No interface, no reflection: below f0 = 0.02, less than any real dielectric has, it
+// falls to 0 with f0 (Lagarde and de Rousiers 2014, section 3.2, occlusion packed into f0).
+float f90_of(vec3 f0) {
+    return min(1.0, 50.0 * max(max(f0.r, f0.g), f0.b));
+}
+
+// one_minus_cos: 1 minus the cosine between the light and the facet's normal, 0..1.
+vec3 F_Schlick(vec3 f0, float f90, float one_minus_cos) {
+    float square = one_minus_cos * one_minus_cos;
+    return f0 + (f90 - f0) * (square * square * one_minus_cos);
+}
+
+// Reflectance of a rough interface for light from all around, seen under NoE: the facets that the eye sees at
+// grazing are tilted towards it, so the rise is held to 1 - m. An approximation (Lagarde 2011, "Adopting a
+// physically based shading model"); never more than F_Schlick.
+vec3 F_SchlickRough(vec3 f0, float f90, float m, float NoE) {
+    float one_minus_cos = 1.0 - clamp(NoE, 0.0, 1.0);
+    float square = one_minus_cos * one_minus_cos;
+    return f0 + (max(vec3(f90 * (1.0 - m)), f0) - f0) * (square * square * one_minus_cos);
+}

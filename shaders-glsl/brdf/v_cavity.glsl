@@ -1,0 +1,7 @@
+// How much of a facet is neither shadowed nor masked? Torrance and Sparrow 1967: long symmetric V-cavities.
+
+// h = L + E is not normalised: hh = h.h and NoL + NoE = N.h.
+// min(1, 2 NoH NoE / EoH, 2 NoH NoL / EoH) with NoH = (NoL + NoE) / |h| and EoH = |h| / 2. Needs hh > 0.
+float G_VCavity(float NoL, float NoE, float hh) {
+    return min(1.0, 4.0 * (NoL + NoE) * min(NoL, NoE) / hh);
+}

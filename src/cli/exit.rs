@@ -1,0 +1,77 @@
+//! With which code does the program end, and what does it say?
+
+use std::fmt;
+use std::process::ExitCode;
+
+use crate::gpu;
+use crate::render::RenderError;
+use crate::scene;
+
+/// The exit codes. 0 is success.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Exit {
+    /// The command line makes no sense, or asks for what the device does not have.
+    Usage = 2,
+    /// No suitable device or driver.
+    Device = 3,
+    /// The validation layers had something to say.
+    Validation = 4,
+    /// The picture holds a NaN or an infinity.
+    NotFinite = 5,
+    /// A file could not be read or written.
+    File = 6,
+}
+
+/// Why the program ends without success.
+#[derive(Debug)]
+pub struct Failure {
+    /// The exit code.
+    pub exit: Exit,
+    /// What, where, and what to do.
+    pub message: String,
+}
+
+impl Failure {
+    /// A failure with this code.
+    pub fn new(exit: Exit, message: impl fmt::Display) -> Self {
+        Self {
+            exit,
+            message: message.to_string(),
+        }
+    }
+}
+
+impl From<Failure> for ExitCode {
+    fn from(failure: Failure) -> Self {
+        Self::from(failure.exit as u8)
+    }
+}
+
+impl From<gpu::Error> for Failure {
+    fn from(error: gpu::Error) -> Self {
+        let exit = match error {
+            gpu::Error::BeyondLimit { .. } | gpu::Error::NoSuchSampleCount { .. } => Exit::Usage,
+            _ => Exit::Device,
+        };
+        Self::new(exit, error)
+    }
+}
+
+impl From<RenderError> for Failure {
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::Gpu(error) => error.into(),
+            RenderError::TooMany(error) => Self::new(Exit::File, error),
+        }
+    }
+}
+
+impl From<scene::Error> for Failure {
+    fn from(error: scene::Error) -> Self {
+        let exit = match error {
+            scene::Error::Override { .. } => Exit::Usage,
+            scene::Error::File { .. } => Exit::File,
+        };
+        Self::new(exit, error)
+    }
+}

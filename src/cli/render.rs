@@ -1,0 +1,375 @@
+//! How does `umber render` go from a scene's file to a picture's?
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::ValueEnum;
+
+use crate::cli::exit::{Exit, Failure};
+use crate::cli::{device_selector, json, print_bytes, print_json};
+use crate::gpu::{self, Device, DeviceKind, DeviceSelector, Instance, Samples, Validation};
+use crate::reference::shade::{Lighting, Terms};
+use crate::render::{
+    self, Defects, FrameReport, OutputFile, Picture, PictureFormat, Renderer, Settings,
+    ToneMapping, Variant,
+};
+use crate::report::{Image, Program, RenderReport, SceneSize};
+use crate::scene::{self, LoadOptions, Scene};
+
+/// Options of `umber render`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A scene (.toml), or a model on its own (.obj)
+    scene: PathBuf,
+    /// Where to write: .png (exposed, tone-mapped, sRGB), .exr or .hdr (linear, cd/m^2); - is a PNG
+    /// on stdout [default: the scene's name, .png, in this folder]
+    #[arg(short, long)]
+    output: Option<PathBuf>,
+    /// Width and height, pixels
+    #[arg(long, default_value = "1280x720", value_name = "WxH", value_parser = size)]
+    size: (u32, u32),
+    /// Samples a pixel: 1, 2, 4 or 8
+    #[arg(long, default_value = "4", value_parser = samples)]
+    samples: Samples,
+    /// INDEX, part of the NAME, UUID, cpu or gpu [default: discrete, integrated, virtual, cpu]
+    #[arg(long, value_parser = device_selector)]
+    device: Option<DeviceSelector>,
+    /// The lighting model
+    #[arg(long, default_value = "corrected")]
+    lighting: LightingArgument,
+    /// The terms that count; emission always does
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "ambient,diffuse,specular"
+    )]
+    terms: Vec<TermArgument>,
+    /// Change a number of the scene: material.gold.roughness=0.3 (repeatable)
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// How a PNG brings bright values into range
+    #[arg(long, default_value = "neutral")]
+    tone_mapping: ToneMappingArgument,
+    /// Exposure of a PNG, EV at ISO 100 [default: the scene's]
+    #[arg(long, value_name = "EV100", allow_negative_numbers = true, value_parser = exposure)]
+    exposure: Option<f32>,
+    /// Report as JSON, on stdout or to a file
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    json: Option<Option<PathBuf>>,
+    /// Run under the validation layers; a message is a failure
+    #[arg(long)]
+    validation: bool,
+    /// Say nothing but errors
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum LightingArgument {
+    /// Ambient, Lambert, Phong's highlight
+    Phong,
+    /// Oren-Nayar and Cook-Torrance as the slides' listings have them, to the letter
+    Slides,
+    /// The same models, rightly normalised and numerically safe, f0 per channel
+    Corrected,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum TermArgument {
+    Ambient,
+    Diffuse,
+    Specular,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ToneMappingArgument {
+    /// Cut off at white
+    None,
+    /// Khronos PBR Neutral
+    Neutral,
+}
+
+/// Loads, renders, writes, reports.
+pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
+    let destination = Destination::open(arguments)?;
+    let scene = scene::load(&arguments.scene, &load_options(arguments))?;
+    say(arguments, || {
+        scene
+            .warnings
+            .iter()
+            .map(|w| format!("warning: {w}"))
+            .collect()
+    });
+    let device = open_device(arguments)?;
+    let cache = dirs::cache_dir().map(|folder| folder.join("umber"));
+    let renderer = Renderer::new(&device, cache.as_deref())?;
+    let (picture, frame) = renderer.render(&scene, &settings(arguments))?;
+    let defects = picture.defects();
+    let ev100 = arguments.exposure.unwrap_or(scene.camera.exposure_ev100);
+    let tone_mapping = match arguments.tone_mapping {
+        ToneMappingArgument::None => ToneMapping::None,
+        ToneMappingArgument::Neutral => ToneMapping::Neutral,
+    };
+    let bytes = render::encode(&picture, destination.format, ev100, tone_mapping)
+        .map_err(|error| destination.failure(&error))?;
+    let path = destination.path.display().to_string();
+    destination.write(&bytes)?;
+    let outside_ms = frame.first_draw_ms + frame.submit_to_idle_ms;
+    let start_to_file_ms = start.elapsed().as_secs_f64() * 1e3 - outside_ms;
+    let messages = device.instance().validation_log().drain();
+    let report = RenderReport {
+        schema: RenderReport::SCHEMA,
+        device: device.info().into(),
+        scene: scene_size(&scene),
+        image: image(path, arguments, &picture, &defects),
+        frame,
+        validation_messages: messages.len(),
+        start_to_file_ms,
+        program: Program::THIS,
+    };
+    say(arguments, || summary(&report, device.info().kind));
+    write_json(arguments, &report)?;
+    judge(&messages, &defects)
+}
+
+fn load_options(arguments: &Arguments) -> LoadOptions {
+    LoadOptions {
+        overrides: arguments.set.clone(),
+        progress: !arguments.quiet,
+    }
+}
+
+fn settings(arguments: &Arguments) -> Settings {
+    let has = |term| arguments.terms.contains(&term);
+    Settings {
+        width: arguments.size.0,
+        height: arguments.size.1,
+        samples: arguments.samples,
+        variant: Variant {
+            lighting: match arguments.lighting {
+                LightingArgument::Phong => Lighting::Phong,
+                LightingArgument::Slides => Lighting::Slides,
+                LightingArgument::Corrected => Lighting::Corrected,
+            },
+            terms: Terms {
+                ambient: has(TermArgument::Ambient),
+                diffuse: has(TermArgument::Diffuse),
+                specular: has(TermArgument::Specular),
+            },
+        },
+    }
+}
+
+fn open_device(arguments: &Arguments) -> Result<std::sync::Arc<Device>, Failure> {
+    let validation = if arguments.validation {
+        Validation::On
+    } else {
+        Validation::Off
+    };
+    let instance = Instance::new(validation)?;
+    let devices = instance.devices()?;
+    let selector = arguments.device.clone().unwrap_or_default();
+    let chosen = gpu::choose(&devices, &selector)?;
+    let device = Device::open(&instance, chosen)?;
+    // Before any work: a size that the device cannot have is a matter of the command line.
+    device.check_target_size(arguments.size.0, arguments.size.1)?;
+    device.check_samples(arguments.samples)?;
+    Ok(device)
+}
+
+/// Where the picture goes.
+struct Destination {
+    path: PathBuf,
+    format: PictureFormat,
+    /// `None`: stdout.
+    file: Option<OutputFile>,
+}
+
+impl Destination {
+    /// Checks the name, and that the place can be written, before any work is done.
+    fn open(arguments: &Arguments) -> Result<Self, Failure> {
+        let path = match &arguments.output {
+            Some(path) => path.clone(),
+            None => default_output(&arguments.scene),
+        };
+        if path == Path::new("-") {
+            if matches!(arguments.json, Some(None)) {
+                let message = "--output - and --json both write to stdout: give one of them a file";
+                return Err(Failure::new(Exit::Usage, message));
+            }
+            let format = PictureFormat::Png;
+            return Ok(Self {
+                path,
+                format,
+                file: None,
+            });
+        }
+        let format = PictureFormat::of(&path).ok_or_else(|| {
+            let endings: Vec<_> = PictureFormat::ALL.iter().map(|f| f.ending()).collect();
+            let message = format!(
+                "{}: no picture format has this ending; one of {} does",
+                path.display(),
+                endings.join(", ")
+            );
+            Failure::new(Exit::Usage, message)
+        })?;
+        let file = OutputFile::create(&path).map_err(|error| cannot_write(&path, &error))?;
+        Ok(Self {
+            path,
+            format,
+            file: Some(file),
+        })
+    }
+
+    fn write(self, bytes: &[u8]) -> Result<(), Failure> {
+        match self.file {
+            None => print_bytes(bytes),
+            Some(file) => file
+                .commit(bytes)
+                .map_err(|error| cannot_write(&self.path, &error)),
+        }
+    }
+
+    fn failure(&self, error: &dyn std::fmt::Display) -> Failure {
+        cannot_write(&self.path, error)
+    }
+}
+
+fn default_output(scene: &Path) -> PathBuf {
+    let stem = scene.file_stem().unwrap_or("picture".as_ref());
+    Path::new(stem).with_added_extension("png")
+}
+
+fn cannot_write(path: &Path, error: &dyn std::fmt::Display) -> Failure {
+    let message = format!("cannot write {}: {error}", path.display());
+    Failure::new(Exit::File, message)
+}
+
+fn scene_size(scene: &Scene) -> SceneSize {
+    SceneSize {
+        triangles: scene.triangle_count() as u64,
+        objects: scene.objects.len(),
+        materials: scene.materials.len(),
+        lights: scene.lights.len(),
+    }
+}
+
+fn image(path: String, arguments: &Arguments, picture: &Picture, defects: &Defects) -> Image {
+    Image {
+        path,
+        width: picture.width,
+        height: picture.height,
+        samples: arguments.samples.count(),
+        nan_pixels: defects.not_finite(),
+    }
+}
+
+fn write_json(arguments: &Arguments, report: &RenderReport) -> Result<(), Failure> {
+    match &arguments.json {
+        None => Ok(()),
+        Some(None) => print_json(report),
+        Some(Some(path)) => {
+            let bytes = json(report)?;
+            OutputFile::create(path)
+                .and_then(|file| file.commit(&bytes))
+                .map_err(|error| cannot_write(path, &error))
+        }
+    }
+}
+
+/// What makes a written picture a failure all the same.
+fn judge(messages: &[String], defects: &Defects) -> Result<(), Failure> {
+    if let Some(first) = messages.first() {
+        let message = format!(
+            "{} validation messages; the first:\n{first}",
+            messages.len()
+        );
+        return Err(Failure::new(Exit::Validation, message));
+    }
+    if let Some((x, y)) = defects.first {
+        let message = format!(
+            "{} pixels hold a NaN, {} an infinity; the first at column {x}, row {y} (the picture \
+             was written)",
+            defects.nan, defects.infinite
+        );
+        return Err(Failure::new(Exit::NotFinite, message));
+    }
+    Ok(())
+}
+
+fn say(arguments: &Arguments, lines: impl FnOnce() -> Vec<String>) {
+    if !arguments.quiet {
+        for line in lines() {
+            eprintln!("{line}");
+        }
+    }
+}
+
+fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
+    let RenderReport {
+        device,
+        scene,
+        image,
+        frame,
+        ..
+    } = report;
+    let software = match kind {
+        DeviceKind::Cpu => " (a software rasteriser: times are a CPU's)",
+        _ => "",
+    };
+    let mut lines = vec![
+        format!("device   {}{software}", device.name),
+        format!(
+            "scene    {} triangles, {} objects, {} materials, {} lights",
+            scene.triangles, scene.objects, scene.materials, scene.lights
+        ),
+    ];
+    lines.extend(frame.passes.iter().map(|pass| {
+        format!(
+            "pass     {}: {} draws, {} pipeline bind, {} descriptor set bind",
+            pass.name, pass.draws, pass.pipeline_binds, pass.descriptor_set_binds
+        )
+    }));
+    lines.push(times(frame, report.start_to_file_ms));
+    lines.push(format!(
+        "picture  {} ({}x{})",
+        image.path, image.width, image.height
+    ));
+    lines
+}
+
+fn times(frame: &FrameReport, start_to_file_ms: f64) -> String {
+    let gpu = frame.gpu_ms.map_or(String::new(), |ms| {
+        format!(" ({ms:.1} by the device's clock)")
+    });
+    format!(
+        "time     first draw {:.0} ms, record {:.2} ms, submit to idle {:.1} ms{gpu}, all else {:.0} ms",
+        frame.first_draw_ms, frame.record_ms, frame.submit_to_idle_ms, start_to_file_ms
+    )
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parsed = text
+        .split_once(['x', 'X'])
+        .and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    match parsed {
+        Some((0, _) | (_, 0)) => Err("a picture has at least one pixel each way".into()),
+        Some(size) => Ok(size),
+        None => Err("write it as WIDTHxHEIGHT, such as 1280x720".into()),
+    }
+}
+
+fn samples(text: &str) -> Result<Samples, String> {
+    text.parse()
+        .ok()
+        .and_then(Samples::from_count)
+        .ok_or_else(|| "it is 1, 2, 4 or 8".into())
+}
+
+fn exposure(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        // Beyond it 2^EV leaves the range of f32.
+        Ok(ev) if ev.abs() <= 100.0 => Ok(ev),
+        _ => Err("it is a number from -100 to 100".into()),
+    }
+}

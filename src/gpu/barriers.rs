@@ -1,0 +1,206 @@
+//! What must be waited for, and made visible, between one use of an image and the next?
+//!
+//! One function answers for every pass, because Debian 12's validation layers (1.3.239) see no
+//! hazards on dynamic-rendering attachments: what they cannot check is checked by the table below.
+
+use ash::vk;
+
+/// How a pass uses an image.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ImageUse {
+    /// Nothing worth keeping is in it.
+    Undefined,
+    /// Drawn to, blended, or resolved into.
+    ColorTarget,
+    /// Depth tested and written.
+    DepthTarget,
+    /// Copied from.
+    TransferSource,
+}
+
+/// The half of a barrier that one use gives: where it happens, what it touches, in which layout.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Half {
+    stage: vk::PipelineStageFlags2,
+    access: vk::AccessFlags2,
+    layout: vk::ImageLayout,
+}
+
+impl ImageUse {
+    fn half(self) -> Half {
+        match self {
+            Self::Undefined => Half {
+                stage: vk::PipelineStageFlags2::NONE,
+                access: vk::AccessFlags2::NONE,
+                layout: vk::ImageLayout::UNDEFINED,
+            },
+            // A resolve is a write of this stage too, whatever the format.
+            Self::ColorTarget => Half {
+                stage: vk::PipelineStageFlags2::COLOR_ATTACHMENT_OUTPUT,
+                access: vk::AccessFlags2::COLOR_ATTACHMENT_READ
+                    | vk::AccessFlags2::COLOR_ATTACHMENT_WRITE,
+                layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL,
+            },
+            Self::DepthTarget => Half {
+                stage: vk::PipelineStageFlags2::EARLY_FRAGMENT_TESTS
+                    | vk::PipelineStageFlags2::LATE_FRAGMENT_TESTS,
+                access: vk::AccessFlags2::DEPTH_STENCIL_ATTACHMENT_READ
+                    | vk::AccessFlags2::DEPTH_STENCIL_ATTACHMENT_WRITE,
+                layout: vk::ImageLayout::DEPTH_ATTACHMENT_OPTIMAL,
+            },
+            Self::TransferSource => Half {
+                stage: vk::PipelineStageFlags2::COPY,
+                access: vk::AccessFlags2::TRANSFER_READ,
+                layout: vk::ImageLayout::TRANSFER_SRC_OPTIMAL,
+            },
+        }
+    }
+}
+
+/// The writes among `access`: only writes need to be made available; a read before it needs order
+/// alone.
+fn writes(access: vk::AccessFlags2) -> vk::AccessFlags2 {
+    access
+        & (vk::AccessFlags2::COLOR_ATTACHMENT_WRITE
+            | vk::AccessFlags2::DEPTH_STENCIL_ATTACHMENT_WRITE
+            | vk::AccessFlags2::TRANSFER_WRITE)
+}
+
+/// The barrier on the whole of `image` between two uses.
+pub(super) fn image_barrier(
+    image: vk::Image,
+    range: vk::ImageSubresourceRange,
+    from: ImageUse,
+    to: ImageUse,
+) -> vk::ImageMemoryBarrier2<'static> {
+    let (from, to) = (from.half(), to.half());
+    vk::ImageMemoryBarrier2::default()
+        .src_stage_mask(from.stage)
+        .src_access_mask(writes(from.access))
+        .old_layout(from.layout)
+        .dst_stage_mask(to.stage)
+        .dst_access_mask(to.access)
+        .new_layout(to.layout)
+        .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .image(image)
+        .subresource_range(range)
+}
+
+/// The barrier after a copy into a buffer: to the host that reads it, or to the shaders and
+/// fixed functions that fetch from it.
+pub(super) fn after_copy(
+    buffer: vk::Buffer,
+    read_by_host: bool,
+) -> vk::BufferMemoryBarrier2<'static> {
+    let (stage, access) = if read_by_host {
+        (vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_READ)
+    } else {
+        (
+            vk::PipelineStageFlags2::ALL_COMMANDS,
+            vk::AccessFlags2::MEMORY_READ,
+        )
+    };
+    vk::BufferMemoryBarrier2::default()
+        .src_stage_mask(vk::PipelineStageFlags2::COPY)
+        .src_access_mask(vk::AccessFlags2::TRANSFER_WRITE)
+        .dst_stage_mask(stage)
+        .dst_access_mask(access)
+        .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .buffer(buffer)
+        .size(vk::WHOLE_SIZE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ImageUse::{ColorTarget, DepthTarget, TransferSource, Undefined};
+    use vk::AccessFlags2 as Access;
+    use vk::ImageLayout as Layout;
+    use vk::PipelineStageFlags2 as Stage;
+
+    /// Each pair of uses that a frame contains, with the whole barrier written out by hand from the
+    /// specification's table of stages and accesses.
+    #[test]
+    fn every_pair_has_its_barrier() {
+        let fragment_tests = Stage::EARLY_FRAGMENT_TESTS | Stage::LATE_FRAGMENT_TESTS;
+        let color = Access::COLOR_ATTACHMENT_READ | Access::COLOR_ATTACHMENT_WRITE;
+        let depth = Access::DEPTH_STENCIL_ATTACHMENT_READ | Access::DEPTH_STENCIL_ATTACHMENT_WRITE;
+        let table = [
+            (
+                (Undefined, ColorTarget),
+                (Stage::NONE, Access::NONE, Layout::UNDEFINED),
+                (
+                    Stage::COLOR_ATTACHMENT_OUTPUT,
+                    color,
+                    Layout::COLOR_ATTACHMENT_OPTIMAL,
+                ),
+            ),
+            (
+                (Undefined, DepthTarget),
+                (Stage::NONE, Access::NONE, Layout::UNDEFINED),
+                (fragment_tests, depth, Layout::DEPTH_ATTACHMENT_OPTIMAL),
+            ),
+            (
+                (ColorTarget, TransferSource),
+                (
+                    Stage::COLOR_ATTACHMENT_OUTPUT,
+                    Access::COLOR_ATTACHMENT_WRITE,
+                    Layout::COLOR_ATTACHMENT_OPTIMAL,
+                ),
+                (
+                    Stage::COPY,
+                    Access::TRANSFER_READ,
+                    Layout::TRANSFER_SRC_OPTIMAL,
+                ),
+            ),
+            (
+                (ColorTarget, ColorTarget),
+                (
+                    Stage::COLOR_ATTACHMENT_OUTPUT,
+                    Access::COLOR_ATTACHMENT_WRITE,
+                    Layout::COLOR_ATTACHMENT_OPTIMAL,
+                ),
+                (
+                    Stage::COLOR_ATTACHMENT_OUTPUT,
+                    color,
+                    Layout::COLOR_ATTACHMENT_OPTIMAL,
+                ),
+            ),
+            (
+                (TransferSource, ColorTarget),
+                (Stage::COPY, Access::NONE, Layout::TRANSFER_SRC_OPTIMAL),
+                (
+                    Stage::COLOR_ATTACHMENT_OUTPUT,
+                    color,
+                    Layout::COLOR_ATTACHMENT_OPTIMAL,
+                ),
+            ),
+        ];
+        for ((from, to), source, destination) in table {
+            let b = image_barrier(
+                vk::Image::null(),
+                vk::ImageSubresourceRange::default(),
+                from,
+                to,
+            );
+            let got = (b.src_stage_mask, b.src_access_mask, b.old_layout);
+            assert_eq!(got, source, "{from:?} -> {to:?}: source");
+            let got = (b.dst_stage_mask, b.dst_access_mask, b.new_layout);
+            assert_eq!(got, destination, "{from:?} -> {to:?}: destination");
+        }
+    }
+
+    #[test]
+    fn a_readback_is_made_visible_to_the_host() {
+        let b = after_copy(vk::Buffer::null(), true);
+        assert_eq!(b.src_access_mask, Access::TRANSFER_WRITE);
+        assert_eq!(
+            (b.dst_stage_mask, b.dst_access_mask),
+            (Stage::HOST, Access::HOST_READ)
+        );
+        let b = after_copy(vk::Buffer::null(), false);
+        assert_eq!(b.dst_access_mask, Access::MEMORY_READ);
+    }
+}

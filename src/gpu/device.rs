@@ -1,0 +1,318 @@
+//! Who talks to the device, and who owns it?
+
+use std::ffi::CString;
+use std::mem::ManuallyDrop;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use ash::vk;
+use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
+
+use super::error::{Error, Named};
+use super::format::Samples;
+use super::instance::Instance;
+use super::requirements;
+use super::selection::DeviceInfo;
+
+/// A device, its one queue, its allocator.
+///
+/// Everything made from it holds an `Arc` of it. Dropped in this order: allocator (which frees its
+/// blocks), device, and the `Arc` of the instance last, as the fields stand.
+pub struct Device {
+    allocator: ManuallyDrop<Mutex<Allocator>>,
+    pub(super) raw: ash::Device,
+    pub(super) debug_utils: Option<ash::ext::debug_utils::Device>,
+    queue: Mutex<vk::Queue>,
+    pub(super) queue_family: u32,
+    pub(super) limits: vk::PhysicalDeviceLimits,
+    /// Bits of a timestamp that count; 0 where the queue has no clock.
+    pub(super) timestamp_bits: u32,
+    pub(super) preserves_nan: bool,
+    pub(super) cache_key: CacheKey,
+    samples: Vec<Samples>,
+    info: DeviceInfo,
+    last_label: Mutex<Option<String>>,
+    pub(super) instance: Arc<Instance>,
+}
+
+/// What a pipeline cache must match to be of use; the driver checks the same.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct CacheKey {
+    pub vendor: u32,
+    pub device: u32,
+    pub uuid: [u8; 16],
+}
+
+impl Device {
+    /// Opens `info`'s device with one graphics queue.
+    ///
+    /// # Errors
+    /// The device lacks what Umber needs, or the driver fails.
+    pub fn open(instance: &Arc<Instance>, info: &DeviceInfo) -> Result<Arc<Self>, Error> {
+        let unsuitable = |missing: String| Error::Unsuitable {
+            device: info.name.clone(),
+            missing,
+        };
+        if !info.missing.is_empty() {
+            return Err(unsuitable(info.missing.join(", ")));
+        }
+        let physical = info.handle;
+        let (queue_family, family) = requirements::graphics_queue(&instance.raw, physical)
+            .ok_or_else(|| unsuitable("a graphics queue".into()))?;
+        let raw = create(instance, physical, queue_family)?;
+        // SAFETY: family and index are those the device was created with.
+        let queue = unsafe { raw.get_device_queue(queue_family, 0) };
+        let allocator = match create_allocator(instance, &raw, physical) {
+            Ok(allocator) => allocator,
+            Err(error) => {
+                // SAFETY: nothing was made from the device yet.
+                unsafe { raw.destroy_device(None) };
+                return Err(error);
+            }
+        };
+        let facts = Facts::read(instance, physical);
+        Ok(Arc::new(Self {
+            allocator: ManuallyDrop::new(Mutex::new(allocator)),
+            debug_utils: instance
+                .has_debug_utils()
+                .then(|| ash::ext::debug_utils::Device::new(&instance.raw, &raw)),
+            raw,
+            queue: Mutex::new(queue),
+            queue_family,
+            limits: facts.limits,
+            timestamp_bits: family.timestamp_valid_bits,
+            preserves_nan: facts.preserves_nan,
+            cache_key: facts.cache_key,
+            samples: requirements::sample_counts(&instance.raw, physical),
+            info: info.clone(),
+            last_label: Mutex::new(None),
+            instance: Arc::clone(instance),
+        }))
+    }
+
+    /// The device as the user sees it.
+    pub fn info(&self) -> &DeviceInfo {
+        &self.info
+    }
+
+    /// The instance, with the validation log.
+    pub fn instance(&self) -> &Instance {
+        &self.instance
+    }
+
+    /// Checks a target's size against the device.
+    ///
+    /// # Errors
+    /// Zero, or beyond what a framebuffer and an image may have.
+    pub fn check_target_size(&self, width: u32, height: u32) -> Result<(), Error> {
+        let limits = &self.limits;
+        let allowed = [
+            ("the width", width, limits.max_framebuffer_width),
+            ("the height", height, limits.max_framebuffer_height),
+        ];
+        for (what, value, limit) in allowed {
+            let limit = limit.min(limits.max_image_dimension2_d);
+            if value == 0 || value > limit {
+                return Err(self.beyond(what, u64::from(value), u64::from(limit)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that targets of this sample count exist.
+    ///
+    /// # Errors
+    /// They do not; the message lists those that do.
+    pub fn check_samples(&self, samples: Samples) -> Result<(), Error> {
+        if self.samples.contains(&samples) {
+            return Ok(());
+        }
+        let counts: Vec<_> = self.samples.iter().map(|s| s.count().to_string()).collect();
+        Err(Error::NoSuchSampleCount {
+            device: self.info.name.clone(),
+            wanted: samples.count(),
+            available: counts.join(", "),
+        })
+    }
+
+    /// The largest storage buffer that a shader may see, bytes.
+    pub fn max_storage_bytes(&self) -> u64 {
+        u64::from(self.limits.max_storage_buffer_range)
+    }
+
+    pub(super) fn beyond(&self, what: &'static str, value: u64, limit: u64) -> Error {
+        Error::BeyondLimit {
+            what,
+            value,
+            limit,
+            device: self.info.name.clone(),
+        }
+    }
+
+    pub(super) fn allocator(&self) -> MutexGuard<'_, Allocator> {
+        // The allocator keeps its own invariants; a panic elsewhere does not break them.
+        self.allocator
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Names an object for captures and validation messages; nothing where the extension is absent.
+    pub(super) fn name<T: vk::Handle>(&self, object: T, name: &str) {
+        let (Some(debug_utils), Ok(name)) = (&self.debug_utils, CString::new(name)) else {
+            return;
+        };
+        let info = vk::DebugUtilsObjectNameInfoEXT::default()
+            .object_handle(object)
+            .object_name(&name);
+        // SAFETY: the object belongs to this device. A name that fails to stick harms nothing.
+        let _ = unsafe { debug_utils.set_debug_utils_object_name(&info) };
+    }
+
+    /// Submits `commands` and waits until the device has done them.
+    pub(super) fn run(&self, commands: vk::CommandBuffer) -> Result<(), Error> {
+        let fence = Fence::new(self)?;
+        let infos = [vk::CommandBufferSubmitInfo::default().command_buffer(commands)];
+        let submit = [vk::SubmitInfo2::default().command_buffer_infos(&infos)];
+        {
+            let queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
+            // SAFETY: the lock is the queue's external synchronisation; `commands` is recorded and
+            // ended, and its owner borrows all that it uses until this function returns.
+            unsafe { self.raw.queue_submit2(*queue, &submit, fence.raw) }
+                .map_err(|result| self.lost(result, "vkQueueSubmit2"))?;
+        }
+        // SAFETY: the fence is this device's and was just submitted.
+        unsafe { self.raw.wait_for_fences(&[fence.raw], true, u64::MAX) }
+            .map_err(|result| self.lost(result, "vkWaitForFences"))
+    }
+
+    /// Remembers the last scope begun, so that a lost device says where it was.
+    pub(super) fn begin_label(&self, label: &str) {
+        *self
+            .last_label
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = Some(label.to_owned());
+    }
+
+    fn lost(&self, result: vk::Result, call: &'static str) -> Error {
+        let label = self
+            .last_label
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        Error::Call {
+            call,
+            result: super::error::VulkanResult(result),
+            label: label.clone(),
+        }
+    }
+}
+
+impl Drop for Device {
+    fn drop(&mut self) {
+        // SAFETY: every resource held an `Arc` of this device, so none is left, and each waited for
+        // its work. The allocator goes before the device, whose memory it frees, and is not used
+        // again.
+        unsafe {
+            ManuallyDrop::drop(&mut self.allocator);
+            self.raw.destroy_device(None);
+        }
+    }
+}
+
+/// What is asked of the physical device once.
+struct Facts {
+    limits: vk::PhysicalDeviceLimits,
+    preserves_nan: bool,
+    cache_key: CacheKey,
+}
+
+impl Facts {
+    fn read(instance: &Instance, physical: vk::PhysicalDevice) -> Self {
+        let mut controls = vk::PhysicalDeviceFloatControlsProperties::default();
+        let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut controls);
+        // SAFETY: `physical` is this instance's; the chain lives until the call returns.
+        unsafe {
+            instance
+                .raw
+                .get_physical_device_properties2(physical, &mut properties);
+        }
+        let core = properties.properties;
+        Self {
+            limits: core.limits,
+            preserves_nan: controls.shader_signed_zero_inf_nan_preserve_float32 == vk::TRUE,
+            cache_key: CacheKey {
+                vendor: core.vendor_id,
+                device: core.device_id,
+                uuid: core.pipeline_cache_uuid,
+            },
+        }
+    }
+}
+
+fn create(
+    instance: &Instance,
+    physical: vk::PhysicalDevice,
+    queue_family: u32,
+) -> Result<ash::Device, Error> {
+    let priorities = [1.0];
+    let queues = [vk::DeviceQueueCreateInfo::default()
+        .queue_family_index(queue_family)
+        .queue_priorities(&priorities)];
+    // Robust access makes every fetch through an index defined, whatever the index: without it, a
+    // safe function could not take one.
+    let core = vk::PhysicalDeviceFeatures::default().robust_buffer_access(true);
+    let mut core_13 = vk::PhysicalDeviceVulkan13Features::default()
+        .dynamic_rendering(true)
+        .synchronization2(true);
+    let info = vk::DeviceCreateInfo::default()
+        .queue_create_infos(&queues)
+        .enabled_features(&core)
+        .push_next(&mut core_13);
+    // SAFETY: `physical` is this instance's; every pointer in `info` lives until the call returns;
+    // `requirements` found the features present.
+    unsafe { instance.raw.create_device(physical, &info, None) }.named("vkCreateDevice")
+}
+
+fn create_allocator(
+    instance: &Instance,
+    device: &ash::Device,
+    physical: vk::PhysicalDevice,
+) -> Result<Allocator, Error> {
+    Allocator::new(&AllocatorCreateDesc {
+        instance: instance.raw.clone(),
+        device: device.clone(),
+        physical_device: physical,
+        debug_settings: gpu_allocator::AllocatorDebugSettings::default(),
+        buffer_device_address: false,
+        allocation_sizes: gpu_allocator::AllocationSizes::default(),
+    })
+    .map_err(|error| Error::Memory {
+        what: "the allocator".into(),
+        bytes: 0,
+        reason: error.to_string(),
+    })
+}
+
+/// A fence that is destroyed on every path.
+struct Fence<'a> {
+    device: &'a Device,
+    raw: vk::Fence,
+}
+
+impl<'a> Fence<'a> {
+    fn new(device: &'a Device) -> Result<Self, Error> {
+        // SAFETY: the device is alive.
+        let raw = unsafe {
+            device
+                .raw
+                .create_fence(&vk::FenceCreateInfo::default(), None)
+        }
+        .named("vkCreateFence")?;
+        Ok(Self { device, raw })
+    }
+}
+
+impl Drop for Fence<'_> {
+    fn drop(&mut self) {
+        // SAFETY: the submission was waited for, or failed, or the device is lost.
+        unsafe { self.device.raw.destroy_fence(self.raw, None) };
+    }
+}

@@ -1,0 +1,262 @@
+//! How do two shaders become the pipeline that draws every material?
+
+use std::sync::Arc;
+
+use ash::vk;
+
+use super::descriptors::SetLayout;
+use super::device::Device;
+use super::error::{Error, Named};
+use super::format::{Format, Samples};
+use super::pipeline_cache::PipelineCache;
+use super::spirv;
+
+/// One vertex attribute, in a buffer of its own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Attribute {
+    /// The shader's location.
+    pub location: u32,
+    /// Its format; the buffer is tightly packed.
+    pub format: Format,
+}
+
+/// A specialization constant and its value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Constant {
+    /// The shader's `constant_id`.
+    pub id: u32,
+    /// Its value.
+    pub value: i32,
+}
+
+/// Everything that makes a graphics pipeline; what is not here is the same for all of them.
+#[derive(Clone, Copy, Debug)]
+pub struct PipelineInfo<'a> {
+    /// Shader and variant, for captures and messages: `surface[lighting=slides]`.
+    pub name: &'a str,
+    /// SPIR-V of the vertex stage.
+    pub vertex: &'a [u32],
+    /// SPIR-V of the fragment stage.
+    pub fragment: &'a [u32],
+    /// Vertex attributes; attribute `i` comes from vertex buffer `i`.
+    pub attributes: &'a [Attribute],
+    /// Values for both stages.
+    pub constants: &'a [Constant],
+    /// Colour target.
+    pub color: Format,
+    /// Depth target.
+    pub depth: Format,
+    /// Samples a pixel of both.
+    pub samples: Samples,
+}
+
+/// A graphics pipeline; it holds the layout that it was made for.
+///
+/// Triangle list; no culling (faces are two-sided); depth tested with GREATER and written, since
+/// depth is reversed; always blended, premultiplied (ONE, ONE_MINUS_SRC_ALPHA), so that one pipeline
+/// serves opaque materials and glass.
+pub struct Pipeline {
+    pub(super) raw: vk::Pipeline,
+    pub(super) layout: Arc<SetLayout>,
+    attributes: usize,
+    device: Arc<Device>,
+}
+
+impl Pipeline {
+    /// Makes the pipeline. On some drivers (lavapipe) this only takes note, and the first draw
+    /// compiles.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn new(
+        device: &Arc<Device>,
+        layout: &Arc<SetLayout>,
+        cache: &PipelineCache,
+        info: &PipelineInfo,
+    ) -> Result<Self, Error> {
+        let vertex = Module::new(device, info.vertex, info.name)?;
+        let fragment = Module::new(device, info.fragment, info.name)?;
+        let raw = create(device, layout, cache, info, &vertex, &fragment)?;
+        device.name(raw, info.name);
+        Ok(Self {
+            raw,
+            layout: Arc::clone(layout),
+            attributes: info.attributes.len(),
+            device: Arc::clone(device),
+        })
+    }
+
+    /// How many vertex buffers it reads.
+    pub(super) fn vertex_buffers(&self) -> usize {
+        self.attributes
+    }
+}
+
+impl Drop for Pipeline {
+    fn drop(&mut self) {
+        // SAFETY: recorders borrow the pipeline until the device is done with it.
+        unsafe { self.device.raw.destroy_pipeline(self.raw, None) };
+    }
+}
+
+/// A shader module, needed only while its pipeline is made.
+struct Module<'a> {
+    device: &'a Device,
+    raw: vk::ShaderModule,
+}
+
+impl<'a> Module<'a> {
+    fn new(device: &'a Device, words: &[u32], name: &str) -> Result<Self, Error> {
+        let preserved;
+        let words = if device.preserves_nan {
+            preserved = spirv::preserve_nan(words);
+            &preserved
+        } else {
+            words
+        };
+        let info = vk::ShaderModuleCreateInfo::default().code(words);
+        // SAFETY: the words come from the project's own compiler, which validated them.
+        let raw = unsafe { device.raw.create_shader_module(&info, None) }
+            .named("vkCreateShaderModule")?;
+        device.name(raw, name);
+        Ok(Self { device, raw })
+    }
+}
+
+impl Drop for Module<'_> {
+    fn drop(&mut self) {
+        // SAFETY: pipelines do not need their modules once they exist.
+        unsafe { self.device.raw.destroy_shader_module(self.raw, None) };
+    }
+}
+
+fn create(
+    device: &Device,
+    layout: &SetLayout,
+    cache: &PipelineCache,
+    info: &PipelineInfo,
+    vertex: &Module,
+    fragment: &Module,
+) -> Result<vk::Pipeline, Error> {
+    let (entries, values) = specialization(info.constants);
+    let constants = vk::SpecializationInfo::default()
+        .map_entries(&entries)
+        .data(bytemuck::cast_slice(&values));
+    let stage = |stage, module: &Module| {
+        vk::PipelineShaderStageCreateInfo::default()
+            .stage(stage)
+            .module(module.raw)
+            .name(c"main")
+    };
+    let stages = [
+        stage(vk::ShaderStageFlags::VERTEX, vertex).specialization_info(&constants),
+        stage(vk::ShaderStageFlags::FRAGMENT, fragment).specialization_info(&constants),
+    ];
+    let (bindings, attributes) = vertex_layout(info.attributes);
+    let vertex_input = vk::PipelineVertexInputStateCreateInfo::default()
+        .vertex_binding_descriptions(&bindings)
+        .vertex_attribute_descriptions(&attributes);
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default()
+        .topology(vk::PrimitiveTopology::TRIANGLE_LIST);
+    let viewport = vk::PipelineViewportStateCreateInfo::default()
+        .viewport_count(1)
+        .scissor_count(1);
+    let raster = two_sided();
+    let multisample = vk::PipelineMultisampleStateCreateInfo::default()
+        .rasterization_samples(info.samples.vulkan());
+    let depth = reversed_depth();
+    let attachments = [premultiplied()];
+    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
+    let dynamic_states = [vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR];
+    let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&dynamic_states);
+    let colors = [info.color.vulkan()];
+    let mut rendering = vk::PipelineRenderingCreateInfo::default()
+        .color_attachment_formats(&colors)
+        .depth_attachment_format(info.depth.vulkan());
+    let pipeline = vk::GraphicsPipelineCreateInfo::default()
+        .stages(&stages)
+        .vertex_input_state(&vertex_input)
+        .input_assembly_state(&assembly)
+        .viewport_state(&viewport)
+        .rasterization_state(&raster)
+        .multisample_state(&multisample)
+        .depth_stencil_state(&depth)
+        .color_blend_state(&blend)
+        .dynamic_state(&dynamic)
+        .layout(layout.pipeline_layout)
+        .push_next(&mut rendering);
+    // SAFETY: every pointer lives until the call returns; the cache is locked by `with_raw`.
+    let made = cache.with_raw(|cache| unsafe {
+        device
+            .raw
+            .create_graphics_pipelines(cache, &[pipeline], None)
+    });
+    match made {
+        Ok(pipelines) => Ok(pipelines[0]),
+        Err((_, result)) => Err(result).named("vkCreateGraphicsPipelines"),
+    }
+}
+
+fn specialization(constants: &[Constant]) -> (Vec<vk::SpecializationMapEntry>, Vec<i32>) {
+    let entries = (0..)
+        .step_by(size_of::<i32>())
+        .zip(constants)
+        .map(|(offset, constant)| vk::SpecializationMapEntry {
+            constant_id: constant.id,
+            offset,
+            size: size_of::<i32>(),
+        })
+        .collect();
+    let values = constants.iter().map(|constant| constant.value).collect();
+    (entries, values)
+}
+
+fn vertex_layout(
+    attributes: &[Attribute],
+) -> (
+    Vec<vk::VertexInputBindingDescription>,
+    Vec<vk::VertexInputAttributeDescription>,
+) {
+    (0..)
+        .zip(attributes)
+        .map(|(binding, attribute)| {
+            (
+                vk::VertexInputBindingDescription::default()
+                    .binding(binding)
+                    .stride(attribute.format.bytes())
+                    .input_rate(vk::VertexInputRate::VERTEX),
+                vk::VertexInputAttributeDescription::default()
+                    .location(attribute.location)
+                    .binding(binding)
+                    .format(attribute.format.vulkan()),
+            )
+        })
+        .unzip()
+}
+
+fn two_sided() -> vk::PipelineRasterizationStateCreateInfo<'static> {
+    vk::PipelineRasterizationStateCreateInfo::default()
+        .polygon_mode(vk::PolygonMode::FILL)
+        .cull_mode(vk::CullModeFlags::NONE)
+        .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .line_width(1.0)
+}
+
+fn reversed_depth() -> vk::PipelineDepthStencilStateCreateInfo<'static> {
+    vk::PipelineDepthStencilStateCreateInfo::default()
+        .depth_test_enable(true)
+        .depth_write_enable(true)
+        .depth_compare_op(vk::CompareOp::GREATER)
+}
+
+fn premultiplied() -> vk::PipelineColorBlendAttachmentState {
+    vk::PipelineColorBlendAttachmentState::default()
+        .blend_enable(true)
+        .src_color_blend_factor(vk::BlendFactor::ONE)
+        .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
+        .color_blend_op(vk::BlendOp::ADD)
+        .src_alpha_blend_factor(vk::BlendFactor::ONE)
+        .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
+        .alpha_blend_op(vk::BlendOp::ADD)
+        .color_write_mask(vk::ColorComponentFlags::RGBA)
+}

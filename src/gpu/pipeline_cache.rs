@@ -1,0 +1,146 @@
+//! What did earlier runs compile, so that this one need not?
+//!
+//! One file a device and driver in the user's cache folder. The file is treated as hostile: a
+//! driver that trusts its header could be led astray by a damaged body, so the file carries a
+//! checksum of its own, and anything that does not fit is dropped and made again.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use ash::vk;
+
+use super::device::{CacheKey, Device};
+use super::error::{Error, Named};
+
+/// Larger files are not read: pipelines of this project take a few hundred KiB.
+const MAX_BYTES: u64 = 256 << 20;
+const MAGIC: &[u8; 8] = b"umberPC1";
+
+/// A pipeline cache, optionally kept in a file.
+pub struct PipelineCache {
+    raw: Mutex<vk::PipelineCache>,
+    file: Option<PathBuf>,
+    loaded: usize,
+    device: Arc<Device>,
+}
+
+impl PipelineCache {
+    /// A cache filled from `folder`, where there is one and its file fits this device and driver.
+    ///
+    /// # Errors
+    /// The driver fails. A missing or damaged file is no error.
+    pub fn open(device: &Arc<Device>, folder: Option<&Path>) -> Result<Self, Error> {
+        let file = folder.map(|folder| folder.join(file_name(&device.cache_key)));
+        let content = file.as_deref().and_then(read).unwrap_or_default();
+        let info = vk::PipelineCacheCreateInfo::default().initial_data(&content);
+        // SAFETY: the data passed its checksum, so it is what a driver of this device wrote.
+        let raw = unsafe { device.raw.create_pipeline_cache(&info, None) }
+            .named("vkCreatePipelineCache")?;
+        device.name(raw, "pipeline cache");
+        Ok(Self {
+            raw: Mutex::new(raw),
+            file,
+            loaded: content.len(),
+            device: Arc::clone(device),
+        })
+    }
+
+    /// Bytes that came from the file; 0 for a cold start.
+    pub fn loaded_bytes(&self) -> usize {
+        self.loaded
+    }
+
+    /// Writes the cache back, whole or not at all, where its content changed in size. A cache that
+    /// cannot be kept costs time at the next start and nothing else, so no error is reported.
+    pub fn save(&self) {
+        let Some(file) = &self.file else { return };
+        // SAFETY: the lock is the cache's external synchronisation.
+        let content = self.with_raw(|raw| unsafe { self.device.raw.get_pipeline_cache_data(raw) });
+        if let Ok(content) = content
+            && content.len() != self.loaded
+        {
+            // See above: a failed write is a slower next start.
+            let _ = write(file, &content);
+        }
+    }
+
+    pub(super) fn with_raw<T>(&self, work: impl FnOnce(vk::PipelineCache) -> T) -> T {
+        let raw = self.raw.lock().unwrap_or_else(PoisonError::into_inner);
+        work(*raw)
+    }
+}
+
+impl Drop for PipelineCache {
+    fn drop(&mut self) {
+        // SAFETY: pipelines do not need the cache once they exist, and nobody else has it.
+        self.with_raw(|raw| unsafe { self.device.raw.destroy_pipeline_cache(raw, None) });
+    }
+}
+
+fn file_name(key: &CacheKey) -> String {
+    let uuid: String = key.uuid.iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("pipelines-{:04x}-{:04x}-{uuid}.bin", key.vendor, key.device)
+}
+
+/// The content of a cache file, or nothing where it is absent, too large or damaged.
+fn read(file: &Path) -> Option<Vec<u8>> {
+    if std::fs::metadata(file).ok()?.len() > MAX_BYTES {
+        return None;
+    }
+    let bytes = std::fs::read(file).ok()?;
+    let rest = bytes.strip_prefix(MAGIC)?;
+    let (checksum, content) = rest.split_first_chunk::<8>()?;
+    (u64::from_le_bytes(*checksum) == fnv1a(content)).then(|| content.to_vec())
+}
+
+fn write(file: &Path, content: &[u8]) -> std::io::Result<()> {
+    let folder = file.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder)?;
+    let mut beside = tempfile::NamedTempFile::new_in(folder)?;
+    beside.write_all(MAGIC)?;
+    beside.write_all(&fnv1a(content).to_le_bytes())?;
+    beside.write_all(content)?;
+    beside.persist(file)?;
+    Ok(())
+}
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage, not malice.
+fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read_and_damage_is_found() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let file = folder.path().join("sub").join("cache.bin");
+        let content: Vec<u8> = (0..=255).collect();
+        write(&file, &content)?;
+        assert_eq!(read(&file), Some(content));
+        let good = std::fs::read(&file)?;
+        for damaged in [&good[..20], &good[1..], &[][..]] {
+            std::fs::write(&file, damaged)?;
+            assert_eq!(read(&file), None, "{} bytes", damaged.len());
+        }
+        let mut flipped = good;
+        flipped[100] ^= 1;
+        std::fs::write(&file, flipped)?;
+        assert_eq!(read(&file), None);
+        assert_eq!(read(&folder.path().join("absent")), None);
+        Ok(())
+    }
+
+    #[test]
+    fn fnv1a_has_its_published_values() {
+        // From the authors' test vectors.
+        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv1a(b"a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
+    }
+}

@@ -1,0 +1,86 @@
+//! How does a module ask the driver to keep NaN, infinity and signed zero?
+//!
+//! By SignedZeroInfNanPreserve (SPIR-V specification, 3.6 Execution Mode), which is core since
+//! SPIR-V 1.4. naga rejects it in the source, and declaring it where the device does not report it is
+//! a validation error, so it is added to the words here.
+
+const MAGIC: u32 = 0x0723_0203;
+const HEADER_WORDS: usize = 5;
+const OP_CAPABILITY: u32 = 17;
+const OP_ENTRY_POINT: u32 = 15;
+const OP_EXECUTION_MODE: u32 = 16;
+const CAPABILITY: u32 = 4466;
+const EXECUTION_MODE: u32 = 4461;
+const FLOAT_BITS: u32 = 32;
+
+/// The same module with 32-bit NaN, infinity and signed zero preserved in every entry point.
+/// Words that are not a SPIR-V module come back as they are: the driver will say so.
+pub(super) fn preserve_nan(words: &[u32]) -> Vec<u32> {
+    if words.first() != Some(&MAGIC) || words.len() < HEADER_WORDS {
+        return words.to_vec();
+    }
+    let (header, body) = words.split_at(HEADER_WORDS);
+    let mut result = header.to_vec();
+    result.extend([instruction(OP_CAPABILITY, 2), CAPABILITY]);
+    let mut entry_points = Vec::new();
+    let mut added = false;
+    let mut rest = body;
+    while let Some(&first) = rest.first() {
+        let length = ((first >> 16) as usize).clamp(1, rest.len());
+        let opcode = first & 0xffff;
+        // Execution modes stand right after the last entry point.
+        if opcode == OP_ENTRY_POINT {
+            entry_points.extend(rest.get(2));
+        } else if !entry_points.is_empty() && !added {
+            for &entry in &entry_points {
+                let op = instruction(OP_EXECUTION_MODE, 4);
+                result.extend([op, entry, EXECUTION_MODE, FLOAT_BITS]);
+            }
+            added = true;
+        }
+        result.extend_from_slice(&rest[..length]);
+        rest = &rest[length..];
+    }
+    result
+}
+
+fn instruction(opcode: u32, words: u32) -> u32 {
+    words << 16 | opcode
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_capability_comes_first_and_the_mode_after_the_last_entry_point() {
+        let capability = [instruction(OP_CAPABILITY, 2), 1];
+        let entry = [instruction(OP_ENTRY_POINT, 3), 4, 77];
+        let mode = [instruction(OP_EXECUTION_MODE, 3), 77, 7];
+        let header = [MAGIC, 0x0001_0600, 0, 100, 0];
+        let module = [&header[..], &capability, &entry, &mode].concat();
+        let added = [
+            instruction(OP_EXECUTION_MODE, 4),
+            77,
+            EXECUTION_MODE,
+            FLOAT_BITS,
+        ];
+        let expected = [
+            &header[..],
+            &[instruction(OP_CAPABILITY, 2), CAPABILITY],
+            &capability,
+            &entry,
+            &added,
+            &mode,
+        ]
+        .concat();
+        assert_eq!(preserve_nan(&module), expected);
+    }
+
+    #[test]
+    fn words_that_are_no_module_stay_as_they_are() {
+        assert_eq!(preserve_nan(&[1, 2, 3]), [1, 2, 3]);
+        assert!(preserve_nan(&[]).is_empty());
+        assert_eq!(preserve_nan(&[MAGIC]), [MAGIC]);
+    }
+}

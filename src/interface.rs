@@ -1,0 +1,131 @@
+//! What do host and shader share, and who makes sure that they agree?
+//!
+//! The compiler does: each struct is compared with what naga read in the GLSL source, field by
+//! field, and binding numbers, locations and constants are the shader's own.
+
+use bytemuck::{Pod, Zeroable};
+
+mod agree;
+
+use agree::agree;
+
+include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
+
+/// One frame; see `shaders-glsl/interface/frame.glsl` for units.
+#[derive(Clone, Copy, Pod, Zeroable, Debug)]
+#[repr(C)]
+pub struct Frame {
+    /// World to clip space, column by column; reversed depth.
+    pub view_projection: [[f32; 4]; 4],
+    /// The eye, homogeneous.
+    pub eye: [f32; 4],
+    /// Radiance of the upper hemisphere.
+    pub sky: [f32; 3],
+    /// Lights in use.
+    pub light_count: u32,
+    /// Radiance of the lower hemisphere.
+    pub ground: [f32; 3],
+    /// Unused.
+    pub frame_padding: f32,
+}
+agree!(Frame {
+    view_projection,
+    eye,
+    sky,
+    light_count,
+    ground,
+    frame_padding
+});
+
+/// One drawn object; see `shaders-glsl/interface/instances.glsl`.
+#[derive(Clone, Copy, Pod, Zeroable, Debug)]
+#[repr(C)]
+pub struct Instance {
+    /// First row of object-to-world.
+    pub world_x: [f32; 4],
+    /// Second row.
+    pub world_y: [f32; 4],
+    /// Third row.
+    pub world_z: [f32; 4],
+    /// Index of its material.
+    pub material: u32,
+    /// -1 where the map mirrors, else 1.
+    pub handedness: f32,
+    /// Unused.
+    pub instance_padding_0: u32,
+    /// Unused.
+    pub instance_padding_1: u32,
+}
+agree!(Instance {
+    world_x,
+    world_y,
+    world_z,
+    material,
+    handedness,
+    instance_padding_0,
+    instance_padding_1
+});
+
+// lavapipe's storage range is 128 MiB: with 128 bytes a record, a million objects fit.
+const _: () = assert!(size_of::<Instance>() <= 128);
+
+/// One material; see `shaders-glsl/interface/materials.glsl`.
+#[derive(Clone, Copy, Pod, Zeroable, Debug, PartialEq)]
+#[repr(C)]
+pub struct Material {
+    /// Diffuse reflectance.
+    pub albedo: [f32; 3],
+    /// How much it hides what lies behind.
+    pub opacity: f32,
+    /// Specular reflectance at normal incidence.
+    pub f0: [f32; 3],
+    /// Oren-Nayar's sigma and Beckmann's m.
+    pub roughness: f32,
+    /// Radiance given off.
+    pub emission: [f32; 3],
+    /// Phong's exponent.
+    pub shininess: f32,
+}
+agree!(Material {
+    albedo,
+    opacity,
+    f0,
+    roughness,
+    emission,
+    shininess
+});
+
+/// One light; see `shaders-glsl/interface/lights.glsl`.
+#[derive(Clone, Copy, Pod, Zeroable, Debug)]
+#[repr(C)]
+pub struct Light {
+    /// Position (w = 1) or direction to the light (w = 0).
+    pub position: [f32; 4],
+    /// Luminous intensity or illuminance.
+    pub intensity: [f32; 3],
+    /// Radius, or tangent of the angular radius.
+    pub radius: f32,
+    /// Direction of a spot's beam.
+    pub axis: [f32; 3],
+    /// Scale of a spot's falloff.
+    pub cone_scale: f32,
+    /// Offset of a spot's falloff.
+    pub cone_offset: f32,
+    /// Unused.
+    pub light_padding_0: f32,
+    /// Unused.
+    pub light_padding_1: f32,
+    /// Unused.
+    pub light_padding_2: f32,
+}
+agree!(Light {
+    position,
+    intensity,
+    radius,
+    axis,
+    cone_scale,
+    cone_offset,
+    light_padding_0,
+    light_padding_1,
+    light_padding_2
+});

@@ -1,0 +1,4 @@
+//! What do the references compute with, in f64?
+
+pub mod frame;
+pub mod quadrature;

@@ -1,0 +1,129 @@
+//! What is drawn, in which order?
+//!
+//! Opaque objects first, in the scene's order; then what lets light through, far to near by object,
+//! and within an object far to near by triangle, so that both walls of a glass are seen through it.
+
+use std::cmp::Ordering;
+use std::ops::Range;
+
+use glam::Vec3;
+
+use crate::render::camera;
+use crate::scene::{Mesh, Object, Scene};
+
+/// One draw command: a range of the index buffer, read for one object.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Draw {
+    /// Which indices.
+    pub indices: Range<u32>,
+    /// Where the object's vertices start.
+    pub vertex_offset: i32,
+    /// The object's number: its record in `instances`.
+    pub instance: u32,
+}
+
+/// Draws, and the indices that they read: those of every mesh in turn, then one sorted copy for each
+/// transparent object.
+pub struct DrawList {
+    /// In the order of drawing.
+    pub draws: Vec<Draw>,
+    /// Index of the first vertex of each mesh.
+    pub mesh_vertices: Vec<u32>,
+    /// The indices of transparent objects, to be appended to those of the meshes.
+    pub sorted_indices: Vec<u32>,
+}
+
+/// More vertices or indices than a 32-bit number counts.
+#[derive(Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the scene has {0} {1}, and at most {max} fit", max = u32::MAX)]
+pub struct TooMany(u64, &'static str);
+
+/// The draws of a scene.
+///
+/// # Errors
+/// More indices or vertices than 32 bits count.
+pub fn draw_list(scene: &Scene) -> Result<DrawList, TooMany> {
+    let mesh_indices = starts(scene, "indices", |mesh| mesh.indices.len())?;
+    let mesh_vertices = starts(scene, "vertices", |mesh| mesh.positions.len())?;
+    let (opaque, mut transparent): (Vec<_>, Vec<_>) = (0..)
+        .zip(&scene.objects)
+        .partition(|(_, object)| scene.materials[object.material].opacity >= 1.0);
+    transparent.sort_by(|(_, a), (_, b)| farther_first(middle(scene, a), middle(scene, b)));
+
+    let mut list = DrawList {
+        draws: Vec::with_capacity(scene.objects.len()),
+        mesh_vertices,
+        sorted_indices: Vec::new(),
+    };
+    let vertex_offset = |object: &Object| list.mesh_vertices[object.mesh].cast_signed();
+    for (instance, object) in opaque {
+        let start = mesh_indices[object.mesh];
+        // Fits: `starts` checked the sum of all lengths.
+        let length = scene.meshes[object.mesh].indices.len() as u32;
+        list.draws.push(Draw {
+            indices: start..start + length,
+            vertex_offset: vertex_offset(object),
+            instance,
+        });
+    }
+    let mut next = *mesh_indices.last().unwrap_or(&0);
+    for (instance, object) in transparent {
+        let sorted = far_to_near(scene, object);
+        let end = u64::from(next) + sorted.len() as u64;
+        let end = u32::try_from(end).map_err(|_| TooMany(end, "indices"))?;
+        list.draws.push(Draw {
+            indices: next..end,
+            vertex_offset: vertex_offset(object),
+            instance,
+        });
+        list.sorted_indices.extend(sorted);
+        next = end;
+    }
+    Ok(list)
+}
+
+/// Where each mesh starts when all lie one behind the other, and where the last one ends.
+fn starts(
+    scene: &Scene,
+    what: &'static str,
+    length: impl Fn(&Mesh) -> usize,
+) -> Result<Vec<u32>, TooMany> {
+    let mut sum = 0_u64;
+    let mut starts = vec![0];
+    for mesh in &scene.meshes {
+        sum += length(mesh) as u64;
+        // Signed, since a draw's vertex offset is.
+        let fits = i32::try_from(sum).map_err(|_| TooMany(sum, what))?;
+        starts.push(fits.cast_unsigned());
+    }
+    Ok(starts)
+}
+
+/// The distance of the middle of an object's box.
+fn middle(scene: &Scene, object: &Object) -> f32 {
+    let center = scene.meshes[object.mesh].bounds().center();
+    camera::distance(&scene.camera, object.transform.transform_point3(center))
+}
+
+fn far_to_near(scene: &Scene, object: &Object) -> Vec<u32> {
+    let mesh = &scene.meshes[object.mesh];
+    let distance = |triangle: &[u32; 3]| {
+        let sum: Vec3 = triangle
+            .iter()
+            .map(|&i| Vec3::from_array(mesh.positions[i as usize]))
+            .sum();
+        camera::distance(&scene.camera, object.transform.transform_point3(sum / 3.0))
+    };
+    let (triangles, _) = mesh.indices.as_chunks::<3>();
+    let mut keyed: Vec<_> = triangles.iter().map(|t| (distance(t), *t)).collect();
+    // Stable, so that equal distances keep the mesh's order and pictures repeat.
+    keyed.sort_by(|(a, _), (b, _)| farther_first(*a, *b));
+    keyed
+        .into_iter()
+        .flat_map(|(_, triangle)| triangle)
+        .collect()
+}
+
+fn farther_first(a: f32, b: f32) -> Ordering {
+    b.total_cmp(&a)
+}

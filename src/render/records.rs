@@ -1,0 +1,131 @@
+//! How does a scene become the records that the shaders read?
+
+use glam::{Affine3A, Vec3};
+
+use crate::interface::{Instance, Light, Material};
+use crate::scene;
+
+/// The record of a material.
+pub fn material(material: &scene::Material) -> Material {
+    Material {
+        albedo: material.albedo,
+        opacity: material.opacity,
+        f0: material.f0,
+        roughness: material.roughness,
+        emission: material.emission,
+        shininess: material.shininess,
+    }
+}
+
+/// The record of an object that stands at `transform` and is made of material number `material`.
+pub fn instance(transform: &Affine3A, material: u32) -> Instance {
+    let [x, y, z] = transform.matrix3.transpose().to_cols_array_2d();
+    let [tx, ty, tz] = transform.translation.to_array();
+    Instance {
+        world_x: [x[0], x[1], x[2], tx],
+        world_y: [y[0], y[1], y[2], ty],
+        world_z: [z[0], z[1], z[2], tz],
+        material,
+        handedness: transform.matrix3.determinant().signum(),
+        instance_padding_0: 0,
+        instance_padding_1: 0,
+    }
+}
+
+/// The record of a light.
+pub fn light(light: &scene::Light) -> Light {
+    match light.kind {
+        scene::LightKind::Directional {
+            direction,
+            illuminance,
+            angular_diameter_degrees,
+        } => Light {
+            position: (-direction).extend(0.0).to_array(),
+            intensity: light.color.map(|channel| channel * illuminance),
+            radius: (angular_diameter_degrees * 0.5).to_radians().tan(),
+            ..everywhere()
+        },
+        scene::LightKind::Point {
+            position,
+            intensity,
+            radius,
+        } => Light {
+            position: position.extend(1.0).to_array(),
+            intensity: light.color.map(|channel| channel * intensity),
+            radius,
+            ..everywhere()
+        },
+        scene::LightKind::Spot {
+            position,
+            direction,
+            intensity,
+            radius,
+            inner_degrees,
+            outer_degrees,
+        } => {
+            let (cone_scale, cone_offset) = cone(inner_degrees, outer_degrees);
+            Light {
+                position: position.extend(1.0).to_array(),
+                intensity: light.color.map(|channel| channel * intensity),
+                radius,
+                axis: direction.to_array(),
+                cone_scale,
+                cone_offset,
+                ..everywhere()
+            }
+        }
+    }
+}
+
+/// A light that shines alike in every direction: its falloff is 0 * cos + 1.
+fn everywhere() -> Light {
+    Light {
+        axis: Vec3::NEG_Y.to_array(),
+        cone_scale: 0.0,
+        cone_offset: 1.0,
+        ..bytemuck::Zeroable::zeroed()
+    }
+}
+
+/// Scale and offset that map the cosine at the outer angle to 0 and that at the inner to 1.
+fn cone(inner_degrees: f32, outer_degrees: f32) -> (f32, f32) {
+    let cos = |degrees: f32| f64::from(degrees).to_radians().cos();
+    let outer = cos(outer_degrees);
+    // A cosine of f32 is known to 6e-8: a narrower edge would be noise, and a scale that is not
+    // finite a NaN.
+    let width = (cos(inner_degrees) - outer).max(1e-6);
+    ((1.0 / width) as f32, (-outer / width) as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cone_is_0_at_its_edge_and_1_at_its_core() {
+        for (inner, outer) in [(10.0, 20.0), (0.0, 45.0), (80.0, 89.0)] {
+            let (scale, offset) = cone(inner, outer);
+            let at = |degrees: f32| degrees.to_radians().cos() * scale + offset;
+            assert!((at(inner) - 1.0).abs() < 1e-4, "{inner}: {}", at(inner));
+            assert!(at(outer).abs() < 1e-4, "{outer}: {}", at(outer));
+        }
+        let (scale, offset) = cone(30.0, 30.0);
+        assert!(scale.is_finite() && offset.is_finite());
+    }
+
+    #[test]
+    fn the_rows_of_an_instance_map_points_as_the_transform_does() {
+        let transform = Affine3A::from_scale_rotation_translation(
+            Vec3::new(2.0, -3.0, 0.5),
+            glam::Quat::from_rotation_z(0.7),
+            Vec3::new(1.0, 2.0, 3.0),
+        );
+        let record = instance(&transform, 5);
+        let point = Vec3::new(0.3, -0.2, 0.9);
+        let rows = [record.world_x, record.world_y, record.world_z];
+        let mapped = rows.map(|row| glam::Vec4::from_array(row).dot(point.extend(1.0)));
+        let expected = transform.transform_point3(point);
+        assert!((Vec3::from_array(mapped) - expected).length() < 1e-6);
+        assert_eq!((record.handedness, record.material), (-1.0, 5));
+    }
+}

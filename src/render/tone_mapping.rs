@@ -1,0 +1,129 @@
+//! How does radiance become the 8-bit codes of a screen?
+
+use super::picture::Picture;
+
+/// How values beyond the screen's range are brought into it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum ToneMapping {
+    /// Cut off at 1.
+    None,
+    /// Khronos PBR Neutral (2024): leaves colours up to 0.8 as they are but for a small toe, and
+    /// compresses what is brighter.
+    #[default]
+    Neutral,
+}
+
+/// The factor from luminance to display value: 1 stands for 1.2 * 2^EV100 cd/m^2 (Lagarde and de
+/// Rousiers 2014, section 5.1, from ISO 12232's saturation speed).
+pub fn exposure_factor(ev100: f32) -> f32 {
+    1.0 / (1.2 * ev100.exp2())
+}
+
+/// sRGB codes of a picture over black, rows from the top. Encoded here, once: the target is linear.
+/// A NaN becomes 0, infinity 255.
+pub fn srgb_codes(picture: &Picture, ev100: f32, tone_mapping: ToneMapping) -> Vec<u8> {
+    let factor = exposure_factor(ev100);
+    picture
+        .pixels
+        .iter()
+        .flat_map(|[r, g, b, _]| {
+            let exposed = [r, g, b].map(|value| value * factor);
+            let shown = match tone_mapping {
+                ToneMapping::None => exposed,
+                ToneMapping::Neutral => neutral(exposed),
+            };
+            shown.map(srgb_code)
+        })
+        .collect()
+}
+
+/// Khronos PBR Neutral tone mapper, as its specification states it (Khronos 2024, "PBR Neutral Tone
+/// Mapper"): F90 = 0.04 is subtracted from what a white dielectric adds, values above 0.8 - F90 are
+/// compressed, and bright colours lose saturation at rate 0.15.
+fn neutral(color: [f32; 3]) -> [f32; 3] {
+    const F90: f32 = 0.04;
+    const START: f32 = 0.8 - F90;
+    const DESATURATION: f32 = 0.15;
+    // The specification's curve has no value at infinity; 1e6 is white there to the last bit.
+    let color = color.map(|value| value.clamp(0.0, 1e6));
+    let least = color.iter().copied().fold(f32::INFINITY, f32::min);
+    // The toe meets the offset at 2 * F90, where x - x^2 / (4 * F90) = F90.
+    let offset = if least < 2.0 * F90 {
+        least - least * least / (4.0 * F90)
+    } else {
+        F90
+    };
+    let color = color.map(|value| value - offset);
+    let peak = color.iter().copied().fold(0.0, f32::max);
+    if peak < START {
+        return color;
+    }
+    let room = 1.0 - START;
+    let new_peak = 1.0 - room * room / (peak + room - START);
+    let white = 1.0 - 1.0 / (DESATURATION * (peak - new_peak) + 1.0);
+    color.map(|value| {
+        let scaled = value * new_peak / peak;
+        scaled + (new_peak - scaled) * white
+    })
+}
+
+/// IEC 61966-2-1, rounded to the nearest of 256 codes.
+fn srgb_code(linear: f32) -> u8 {
+    let encoded = if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    };
+    // `as` saturates, and turns NaN into 0.
+    (encoded * 255.0).round() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn srgb_codes_are_the_standards() {
+        // Middle grey 0.2140 is code 127.5 or so by the standard's curve; the ends are exact.
+        for (linear, code) in [(0.0, 0), (1.0, 255), (0.5, 188), (0.214, 127), (0.002, 7)] {
+            assert_eq!(srgb_code(linear), code, "{linear}");
+        }
+        assert_eq!(srgb_code(-1.0), 0);
+        assert_eq!(srgb_code(7.0), 255);
+        assert_eq!(srgb_code(f32::NAN), 0);
+        assert_eq!(srgb_code(f32::INFINITY), 255);
+    }
+
+    #[test]
+    fn neutral_keeps_mid_colours_and_stays_in_range() {
+        // Above the toe and below the start, the offset alone.
+        let kept = neutral([0.5, 0.3, 0.2]);
+        for (got, want) in kept.into_iter().zip([0.46, 0.26, 0.16]) {
+            assert!((got - want).abs() < 1e-6);
+        }
+        let mut last = 0.0;
+        for step in 0..200 {
+            let value = 1.05_f32.powi(step) * 1e-3;
+            let [r, g, b] = neutral([value, 0.5 * value, 0.25 * value]);
+            assert!(r >= last && r <= 1.0 && r >= g && g >= b, "{value}");
+            last = r;
+        }
+        assert!(last > 0.95);
+        assert!(
+            neutral([f32::INFINITY; 3])
+                .iter()
+                .all(|v| (0.99..=1.0).contains(v))
+        );
+    }
+
+    #[test]
+    fn exposure_puts_its_luminance_at_one() {
+        assert!((exposure_factor(10.0) * 1.2 * 1024.0 - 1.0).abs() < 1e-6);
+        let picture = Picture {
+            width: 1,
+            height: 1,
+            pixels: vec![[1228.8, 614.4, 0.0, 1.0]],
+        };
+        assert_eq!(srgb_codes(&picture, 10.0, ToneMapping::None), [255, 188, 0]);
+    }
+}

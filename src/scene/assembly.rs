@@ -1,0 +1,169 @@
+//! How does a description with its layers become a scene?
+//!
+//! From below: the material library, the materials of MTL files, the framing (camera and lights for
+//! a scene without them), the scene's text, each `--set`. Models come first, since MTL files and the
+//! framing depend on them.
+
+use std::path::Path;
+
+use indexmap::IndexMap;
+
+use super::description::Description;
+use super::error::Error;
+use super::layers::{Layer, Layers};
+use super::lights::{self, MAX_LIGHTS};
+use super::materials::{self, Material, Palette};
+use super::mesh::Bounds;
+use super::models::{Loader, Placed};
+use super::overrides::Override;
+use super::{LoadOptions, Object, Scene, camera, framing, suggest};
+
+/// The scene that `text` describes, a layer of the file `path`. `alone` for an OBJ file by itself.
+pub(super) fn build(
+    path: &Path,
+    text: Layer,
+    alone: bool,
+    options: &LoadOptions,
+) -> Result<Scene, Error> {
+    let overrides: Vec<Override> = options
+        .overrides
+        .iter()
+        .map(|text| Override::parse(text))
+        .collect::<Result<_, _>>()?;
+    let mut own = Layers::new(path);
+    own.push(text);
+    let written = own.merged()?;
+    for change in &overrides {
+        change.check("model", written.model.keys().map(String::as_str))?;
+    }
+    for change in overrides.iter().map(|change| &change.layer) {
+        own.push(change.clone());
+    }
+    let wanted = own.merged()?;
+
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut loader = Loader::new(folder, alone, options.progress);
+    let placed = loader.load(&wanted, &own)?;
+    let bounds = bounds(&loader, &placed, &own)?;
+
+    let mut base = library()?;
+    base.material.extend(std::mem::take(&mut loader.materials));
+    let lit = !written.light.is_empty() || written.ambient.is_some();
+    let framed = framing::defaults(bounds, wanted.camera.as_ref(), lit);
+    check_names(&overrides, &base, &written, &framed)?;
+
+    let mut all = Layers::new(path);
+    all.push(Layer::made(&framed));
+    all.append(own);
+    let description = all.merged()?;
+    let palette = Palette::new(base, wanted);
+    finish(loader, placed, &description, &palette, &all)
+}
+
+/// The built-in materials.
+fn library() -> Result<Description, Error> {
+    let path = Path::new("library.toml");
+    let mut layers = Layers::new(path);
+    layers.push(Layer::file(path, materials::LIBRARY.to_owned())?);
+    layers.merged()
+}
+
+/// Refuses overrides of lights and materials that the scene does not have.
+fn check_names(
+    overrides: &[Override],
+    base: &Description,
+    written: &Description,
+    framed: &Description,
+) -> Result<(), Error> {
+    let lights = written.light.keys().chain(framed.light.keys());
+    let materials = written.material.keys().chain(base.material.keys());
+    for change in overrides {
+        change.check("light", lights.clone().map(String::as_str))?;
+        change.check("material", materials.clone().map(String::as_str))?;
+    }
+    Ok(())
+}
+
+/// The box around all placed meshes.
+fn bounds(loader: &Loader<'_>, placed: &[Placed], layers: &Layers) -> Result<Bounds, Error> {
+    let boxes: Vec<Bounds> = loader.meshes.iter().map(|mesh| mesh.bounds()).collect();
+    let mut all = Bounds::EMPTY;
+    for part in placed {
+        for corner in boxes[part.mesh].corners() {
+            all.add(part.transform.transform_point3(corner));
+        }
+    }
+    if all.radius().is_finite() {
+        Ok(all)
+    } else {
+        Err(layers.error(&["model"], "the models are too large or too far away"))
+    }
+}
+
+fn finish(
+    loader: Loader<'_>,
+    placed: Vec<Placed>,
+    description: &Description,
+    palette: &Palette,
+    layers: &Layers,
+) -> Result<Scene, Error> {
+    if description.light.len() > MAX_LIGHTS {
+        let message = format!(
+            "{} lights: at most {MAX_LIGHTS} are possible",
+            description.light.len()
+        );
+        return Err(layers.error(&["light"], message));
+    }
+    let mut lights = Vec::with_capacity(description.light.len());
+    for (name, text) in &description.light {
+        lights.push(lights::build(name, text, layers)?);
+    }
+    // All of the scene's own materials are checked, used or not.
+    for name in palette.scene_names() {
+        palette.build(name, layers)?;
+    }
+    let (objects, materials) = dress(placed, palette, layers)?;
+    let camera = description.camera.clone().unwrap_or_default();
+    let ambient = description.ambient.clone().unwrap_or_default();
+    Ok(Scene {
+        camera: camera::build(&camera, layers)?,
+        ambient: lights::build_ambient(&ambient, layers)?,
+        lights,
+        materials,
+        meshes: loader.meshes,
+        objects,
+        warnings: loader.warnings,
+    })
+}
+
+/// Objects with their materials; only materials in use are kept, in the order of first use.
+fn dress(
+    placed: Vec<Placed>,
+    palette: &Palette,
+    layers: &Layers,
+) -> Result<(Vec<Object>, Vec<Material>), Error> {
+    let mut used: IndexMap<String, Material> = IndexMap::new();
+    let mut objects = Vec::with_capacity(placed.len());
+    for part in placed {
+        let material = match used.get_index_of(&part.material) {
+            Some(number) => number,
+            None => {
+                let name = &part.material;
+                if !palette.contains(name) {
+                    let key: Vec<&str> = part.key.iter().map(String::as_str).collect();
+                    let message = suggest::unknown("material", name, palette.names());
+                    return Err(layers.error(&key, format!("{}: {message}", key.join("."))));
+                }
+                let built = palette.build(name, layers)?;
+                used.insert_full(part.material, built).0
+            }
+        };
+        objects.push(Object {
+            name: part.name,
+            mesh: part.mesh,
+            material,
+            transform: part.transform,
+        });
+    }
+    Ok((objects, used.into_values().collect()))
+}

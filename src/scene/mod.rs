@@ -1,0 +1,118 @@
+//! What can a user describe, and how is it read from files?
+//!
+//! [`load`] reads a scene file (TOML) or an OBJ file into a [`Scene`]: plain numbers in metres and
+//! photometric units, checked and ready for any renderer. The floor knows nothing of the GPU.
+//!
+//! * A scene file has the tables `[camera]`, `[ambient]`, `[light.NAME]`, `[material.NAME]` and
+//!   `[model.NAME]`; `description` is the schema.
+//! * Layers lie over each other, each checked on its own: the material library, materials of MTL
+//!   files, the framing of a scene without camera or lights, the scene's text, each `--set`.
+//! * No file makes this floor panic, and none outside the scene's folder is read.
+
+mod assembly;
+mod camera;
+mod checks;
+mod description;
+mod error;
+mod framing;
+mod layers;
+mod lights;
+mod materials;
+mod mesh;
+mod models;
+mod mtl;
+mod normals;
+mod obj;
+mod obj_scene;
+mod obj_sieve;
+mod overrides;
+mod paths;
+pub mod shapes;
+mod suggest;
+mod toml_file;
+mod warnings;
+
+use std::path::Path;
+
+pub use camera::{Camera, Projection};
+pub use error::{Error, Place};
+pub use lights::{Ambient, Light, LightKind, MAX_LIGHTS};
+pub use materials::{MAX_SHININESS, Material, roughness_from_shininess, shininess_from_roughness};
+pub use mesh::{Bounds, Mesh};
+pub use models::MAX_OBJECTS;
+pub use normals::CREASE_DEGREES;
+
+/// A loaded scene. Numbers of `objects` are valid indices of `meshes` and `materials`.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    pub camera: Camera,
+    pub ambient: Ambient,
+    /// At most [`MAX_LIGHTS`].
+    pub lights: Vec<Light>,
+    /// The materials in use, in the order of their first use.
+    pub materials: Vec<Material>,
+    pub meshes: Vec<Mesh>,
+    /// At least one, at most [`MAX_OBJECTS`].
+    pub objects: Vec<Object>,
+    /// What was passed over while loading, for the user to read.
+    pub warnings: Vec<String>,
+}
+
+/// A mesh that stands in the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// The model's name; with several parts, `MODEL/PART`.
+    pub name: String,
+    /// Index into [`Scene::meshes`].
+    pub mesh: usize,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+    /// From the mesh's frame to the world's; it can be inverted.
+    pub transform: glam::Affine3A,
+}
+
+impl Scene {
+    /// A box around all objects, m.
+    pub fn bounds(&self) -> Bounds {
+        let boxes: Vec<Bounds> = self.meshes.iter().map(Mesh::bounds).collect();
+        let mut all = Bounds::EMPTY;
+        for object in &self.objects {
+            for corner in boxes[object.mesh].corners() {
+                all.add(object.transform.transform_point3(corner));
+            }
+        }
+        all
+    }
+
+    /// The number of triangles that are drawn: a mesh counts once for each object that uses it.
+    pub fn triangle_count(&self) -> usize {
+        let count = |object: &Object| self.meshes[object.mesh].triangle_count();
+        self.objects.iter().map(count).sum()
+    }
+}
+
+/// How to load a scene.
+#[derive(Clone, Debug, Default)]
+pub struct LoadOptions {
+    /// `KEY=VALUE` lines that change the scene, such as `material.gold.roughness=0.3`.
+    pub overrides: Vec<String>,
+    /// Shows a progress bar on stderr for OBJ files above 16 MiB, if stderr is a terminal.
+    pub progress: bool,
+}
+
+/// Reads a scene file (`.toml`) or an OBJ file (`.obj`), which is a scene by itself.
+///
+/// # Errors
+/// A file that is missing, unreadable or wrong, or an override that cannot be obeyed; the message
+/// says what, where (file, line, column) and what to do. [`Error::exit_code`] is 6 or 2.
+pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, Error> {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    match ending.map(str::to_ascii_lowercase).as_deref() {
+        Some("toml") => toml_file::load(path, options),
+        Some("obj") => obj_scene::load(path, options),
+        _ => Err(Error::file(
+            path,
+            "is neither a scene (.toml) nor a model (.obj): give a file with one of these endings",
+        )),
+    }
+}

@@ -1,0 +1,274 @@
+//! What does a Wavefront MTL file say about its materials, and which numbers does that make?
+//!
+//! tobj 4.0.5 panics on a colour of fewer than three numbers and gives up a whole file for one odd
+//! value, so each line is checked first, and only sound ones reach it. A number that is NaN,
+//! infinite or no number is refused with its line; a finite one out of range is clamped, with a
+//! warning.
+
+use std::collections::BTreeMap;
+use std::io::Read;
+use std::path::Path;
+
+use indexmap::IndexMap;
+
+use super::camera::DEFAULT_EV100;
+use super::checks::BRIGHTEST;
+use super::description::{MaterialText, Triple};
+use super::error::Error;
+use super::materials::{
+    DEFAULT_ALBEDO, DEFAULT_ROUGHNESS, DIELECTRIC_F0, MAX_SHININESS, roughness_from_shininess,
+    shininess_from_roughness,
+};
+use super::obj_sieve::text;
+use super::warnings::Warnings;
+
+/// One MTL file as tobj reads it.
+pub(super) struct Library {
+    pub materials: Vec<tobj::Material>,
+    pub warnings: Vec<String>,
+}
+
+/// The largest file that is read: a hundred thousand materials.
+const LARGEST: u64 = 64 << 20;
+
+/// What a key's values are.
+enum Kind {
+    /// Three numbers (or one for all three) up to the given one.
+    Color(f64),
+    /// One number, between the given ones.
+    Number(f64, f64),
+    /// Known, but without effect so far: named once in a warning.
+    Unused,
+}
+
+/// The keys that mean something here; all others are passed over in silence.
+fn kind(key: &str) -> Option<Kind> {
+    Some(match key {
+        "Kd" | "Ks" => Kind::Color(1.0),
+        "Ke" => Kind::Color(BRIGHTEST),
+        "Ns" => Kind::Number(0.0, 1e6),
+        "Ni" => Kind::Number(0.0, 100.0),
+        "d" | "Tr" | "Pr" | "Pm" => Kind::Number(0.0, 1.0),
+        "Ps" | "Pc" | "Pcr" | "aniso" | "anisor" | "norm" | "bump" | "disp" | "decal" | "refl" => {
+            Kind::Unused
+        }
+        _ if key.starts_with("map_") => Kind::Unused,
+        _ => return None,
+    })
+}
+
+/// Reads an MTL file.
+pub(super) fn load(path: &Path) -> Result<Library, Error> {
+    let mut bytes = Vec::new();
+    let file = super::paths::open(path)?;
+    file.take(LARGEST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| Error::io(path, &error))?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(Error::file(
+            path,
+            "is larger than 64 MiB: not a material library",
+        ));
+    }
+    parse(path, &bytes)
+}
+
+/// Reads the text of an MTL file; `path` is for messages.
+fn parse(path: &Path, bytes: &[u8]) -> Result<Library, Error> {
+    let mut clean = Clean {
+        path,
+        line: 0,
+        ready: String::new(),
+        unused: BTreeMap::new(),
+        warnings: Warnings::default(),
+        names: IndexMap::new(),
+    };
+    for raw in bytes.split(|&byte| byte == b'\n') {
+        clean.line += 1;
+        clean.pass(raw)?;
+    }
+    clean.report_unused();
+    let (materials, _) = tobj::load_mtl_buf(&mut clean.ready.as_bytes())
+        .map_err(|error| Error::file(path, format!("{error}")))?;
+    Ok(Library {
+        materials,
+        warnings: clean.warnings.into_text(),
+    })
+}
+
+/// The sound lines of an MTL file.
+struct Clean<'a> {
+    path: &'a Path,
+    line: usize,
+    ready: String,
+    /// Per unused key: its first line and how often it stands.
+    unused: BTreeMap<String, (usize, usize)>,
+    warnings: Warnings,
+    names: IndexMap<String, usize>,
+}
+
+impl Clean<'_> {
+    fn pass(&mut self, raw: &[u8]) -> Result<(), Error> {
+        let line = raw.trim_ascii();
+        if line.contains(&0) {
+            return Err(self.refuse("holds a zero byte: this is not an MTL file"));
+        }
+        let split = line
+            .iter()
+            .position(u8::is_ascii_whitespace)
+            .unwrap_or(line.len());
+        let (key, rest) = (text(&line[..split]), &line[split..]);
+        if key == "newmtl" {
+            return self.begin(&text(rest));
+        }
+        match kind(&key) {
+            None => Ok(()),
+            Some(Kind::Unused) => {
+                let entry = self.unused.entry(key).or_insert((self.line, 0));
+                entry.1 += 1;
+                Ok(())
+            }
+            Some(Kind::Color(high)) => self.color(&key, &text(rest), high),
+            Some(Kind::Number(low, high)) => self.scalar(&key, &text(rest), low, high),
+        }
+    }
+
+    fn begin(&mut self, name: &str) -> Result<(), Error> {
+        if name.is_empty() {
+            return Err(self.refuse("newmtl without a name"));
+        }
+        if let Some(earlier) = self.names.insert(name.to_owned(), self.line) {
+            self.warn(format!(
+                "material '{name}' was defined in line {earlier} already; this one counts"
+            ));
+        }
+        self.ready.push_str(&format!("newmtl {name}\n"));
+        Ok(())
+    }
+
+    fn color(&mut self, key: &str, rest: &str, high: f64) -> Result<(), Error> {
+        let words: Vec<&str> = values(rest);
+        if matches!(words.first(), Some(&("spectral" | "xyz"))) {
+            self.warn(format!("{key} {}: only RGB is read; left out", words[0]));
+            return Ok(());
+        }
+        let words = match words[..] {
+            [grey] => [grey; 3],
+            [r, g, b, ..] => [r, g, b],
+            _ => return Err(self.refuse(format!("{key} needs one or three numbers"))),
+        };
+        let mut line = key.to_owned();
+        for word in words {
+            let value = self.number(key, word, 0.0, high)?;
+            line.push_str(&format!(" {value}"));
+        }
+        self.ready.push_str(&line);
+        self.ready.push('\n');
+        Ok(())
+    }
+
+    fn scalar(&mut self, key: &str, rest: &str, low: f64, high: f64) -> Result<(), Error> {
+        // The last word: `d -halo 0.5` has an option before the number.
+        let Some(word) = values(rest).pop() else {
+            return Err(self.refuse(format!("{key} needs a number")));
+        };
+        let value = self.number(key, word, low, high)?;
+        self.ready.push_str(&format!("{key} {value}\n"));
+        Ok(())
+    }
+
+    fn number(&mut self, key: &str, word: &str, low: f64, high: f64) -> Result<f32, Error> {
+        let value: f32 = word
+            .parse()
+            .map_err(|_| self.refuse(format!("{key}: '{word}' is not a number")))?;
+        if !value.is_finite() {
+            return Err(self.refuse(format!("{key} is {word}: NaN and infinity have no place")));
+        }
+        let clamped = f64::from(value).clamp(low, high);
+        if clamped != f64::from(value) {
+            self.warn(format!("{key} = {word} is taken as {clamped}"));
+        }
+        Ok(clamped as f32)
+    }
+
+    fn report_unused(&mut self) {
+        for (key, (line, count)) in std::mem::take(&mut self.unused) {
+            self.line = line;
+            self.warn(match count {
+                1 => format!("{key} is not used yet"),
+                _ => format!("{key} is not used yet ({count} times, here first)"),
+            });
+        }
+    }
+
+    fn refuse(&self, message: impl Into<String>) -> Error {
+        Error::line(self.path, self.line, message)
+    }
+
+    fn warn(&mut self, message: String) {
+        let place = format!("{}:{}", self.path.display(), self.line);
+        self.warnings.push(format!("{place}: {message}"));
+    }
+}
+
+/// A line's words up to a comment.
+fn values(rest: &str) -> Vec<&str> {
+    rest.split_whitespace()
+        .take_while(|word| !word.starts_with('#'))
+        .collect()
+}
+
+/// Below this largest channel a diffuse colour is black, and the surface is taken for a metal.
+const BLACK: f64 = 0.04;
+/// Disney's and Blender's `specular` from 0 to 1 spans f0 from 0 to 0.08 (Burley 2012, section 5.4);
+/// their default 0.5 is f0 0.04.
+const SPECULAR_F0: f64 = 0.08;
+/// Ke has no unit. Ke 1 becomes the luminance that the default exposure shows as white, cd/m^2:
+/// 1.2 * 2^EV100.
+const WHITE: f64 = 1.2 * (1_u32 << DEFAULT_EV100 as u32) as f64;
+
+/// The numbers of an MTL material.
+///
+/// * albedo = Kd (1 - Pm), f0 = mix(F0, Kd, Pm), where F0 = ((Ni - 1) / (Ni + 1))^2 if Ni > 1, else
+///   0.04.
+/// * Where neither Pm nor an Ni above 1 is given, Ks gives f0: as it stands where Kd is black (a
+///   metal or mirror), else 0.08 Ks. Exporters write Ks 0.5 or 1 for any plastic, far above the
+///   0.17 of diamond, so with a diffuse colour it is a strength and no reflectance.
+/// * roughness = Pr, else sqrt(2 / (Ns + 2)), else 0.5; shininess = Ns, else 2 / roughness^2 - 2.
+/// * opacity = d, else 1 - Tr; emission = Ke times 1229 cd/m^2, white at the default exposure.
+pub(super) fn convert(material: &tobj::Material) -> MaterialText {
+    let extra = |key: &str| {
+        let word = material.unknown_param.get(key)?;
+        word.parse::<f64>().ok()
+    };
+    let wide = |color: [f32; 3]| color.map(f64::from);
+    let diffuse = material.diffuse.map_or([DEFAULT_ALBEDO; 3], wide);
+    let metal = extra("Pm");
+    let index = material.optical_density.map(f64::from).filter(|&n| n > 1.0);
+    let dielectric = index.map(|n| ((n - 1.0) / (n + 1.0)).powi(2));
+    let f0 = match (metal, dielectric, material.specular.map(wide)) {
+        (None, None, Some(ks)) if diffuse.iter().all(|&x| x < BLACK) => ks,
+        (None, None, Some(ks)) => ks.map(|x| SPECULAR_F0 * x),
+        (metal, dielectric, _) => {
+            let (metal, base) = (metal.unwrap_or(0.0), dielectric.unwrap_or(DIELECTRIC_F0));
+            diffuse.map(|kd| base + (kd - base) * metal)
+        }
+    };
+    let exponent = material.shininess.map(f64::from);
+    let roughness = extra("Pr")
+        .or(exponent.map(roughness_from_shininess))
+        .unwrap_or(DEFAULT_ROUGHNESS);
+    let shininess = exponent.unwrap_or_else(|| shininess_from_roughness(roughness));
+    let opacity = material.dissolve.map(f64::from);
+    let opacity = opacity.or(extra("Tr").map(|tr| 1.0 - tr)).unwrap_or(1.0);
+    let emission = material.emissive.map_or([0.0; 3], wide);
+    MaterialText {
+        like: None,
+        albedo: Some(Triple(diffuse.map(|kd| kd * (1.0 - metal.unwrap_or(0.0))))),
+        f0: Some(Triple(f0)),
+        roughness: Some(roughness),
+        opacity: Some(opacity),
+        emission: Some(Triple(emission.map(|ke| (ke * WHITE).min(BRIGHTEST)))),
+        shininess: Some(shininess.min(f64::from(MAX_SHININESS))),
+    }
+}

@@ -1,0 +1,29 @@
+//! Do the parts that need no GPU do what they say?
+
+mod beckmann;
+mod constants;
+mod cook_torrance;
+mod coupled;
+mod crease_normals;
+mod hemisphere;
+mod layout;
+mod material_library;
+mod mtl;
+mod obj;
+mod oren_nayar;
+mod phong;
+mod punctual;
+mod quadrature;
+mod samples;
+mod scene_file;
+mod scene_override;
+mod schlick;
+mod shade;
+mod shader_build;
+#[path = "../../src/shader_build/mod.rs"]
+mod shader_builder;
+mod shapes;
+mod tidy;
+#[path = "../tolerances.rs"]
+mod tolerances;
+mod v_cavity;

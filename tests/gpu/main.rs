@@ -1,0 +1,18 @@
+//! Does the device do what the references say? Needs a Vulkan driver and the validation layers.
+//!
+//! Every test runs under core and synchronization validation, and any message fails it.
+
+mod binary;
+mod blending;
+mod canaries;
+mod claim;
+mod device;
+mod golden;
+mod harness;
+mod patches;
+mod physics;
+mod slides_breakdown;
+mod spheres;
+#[path = "../tolerances.rs"]
+mod tolerances;
+mod zoo;

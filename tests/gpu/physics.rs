@@ -1,0 +1,263 @@
+//! Is the light that leaves a flat patch the light that f64 predicts, for every model and term?
+
+use glam::{Quat, Vec3};
+use umber::reference::shade::{Lighting, Terms};
+use umber::render::Variant;
+use umber::scene::{Ambient, Light, LightKind};
+
+use crate::harness::{TERM_SETS, with_gpu};
+use crate::patches::{DARK, Patch, Patches, material, towards};
+use crate::tolerances;
+
+const ROUGHNESSES: [f32; 6] = [0.1, 0.2, 0.35, 0.5, 0.75, 1.0];
+
+/// Normals around the direction to the eye, up to `degrees` away from it.
+fn normals(to_eye: Vec3, degrees: f32) -> Vec<Vec3> {
+    let side = to_eye.any_orthonormal_vector();
+    let mut normals = Vec::new();
+    for tilt in 0..12 {
+        // From 2 degrees, so that no case is the slides' undefined E = N.
+        let tilt = (2.0 + (degrees - 2.0) * tilt as f32 / 11.0).to_radians();
+        for turn in 0..12 {
+            let turn = Quat::from_axis_angle(to_eye, turn as f32 * std::f32::consts::TAU / 12.0);
+            normals.push(Quat::from_axis_angle(turn * side, tilt) * to_eye);
+        }
+    }
+    normals
+}
+
+fn cases(to_eye: Vec3, degrees: f32) -> Vec<Patch> {
+    let rough = |roughness| {
+        normals(to_eye, degrees)
+            .into_iter()
+            .map(move |normal| Patch {
+                normal,
+                material: material([0.8, 0.4, 0.1], [0.04, 0.3, 0.95], roughness),
+            })
+    };
+    ROUGHNESSES.into_iter().flat_map(rough).collect()
+}
+
+/// Every pixel against its prediction; a failure prints what repeats it.
+fn assert_predicted(patches: &Patches, variant: Variant, tolerance: tolerances::Relative) {
+    let rendered = with_gpu(|gpu| patches.rendered(gpu, variant));
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for (i, got) in rendered.into_iter().enumerate() {
+        let want = patches.predicted(i, variant);
+        if !want.iter().all(|value| value.is_finite()) {
+            continue;
+        }
+        compared += 1;
+        for (got, want) in got.into_iter().zip(want) {
+            let share = tolerance.share(f64::from(got), want);
+            worst = worst.max(share);
+            assert!(
+                share <= 1.0,
+                "{variant}: {got:e} for {want:e}\nto_eye {:?}\n{:?}\nlights {:?}",
+                patches.to_eye,
+                patches.patches[i],
+                patches.lights
+            );
+        }
+    }
+    println!("{variant}: the worst pixel takes {worst:.3} of the tolerance");
+    assert!(
+        compared * 2 >= patches.patches.len(),
+        "{compared} cases are defined"
+    );
+}
+
+fn variants() -> impl Iterator<Item = Variant> {
+    Lighting::ALL
+        .into_iter()
+        .flat_map(|lighting| TERM_SETS.map(|terms| Variant { lighting, terms }))
+}
+
+fn around() -> Ambient {
+    Ambient {
+        sky: [0.3, 0.5, 0.9],
+        ground: [0.2, 0.1, 0.05],
+    }
+}
+
+#[test]
+fn a_directional_light_over_roughness_and_angle() {
+    let to_eye = Vec3::new(0.3, 0.5, 0.8).normalize();
+    for tilt in [5.0_f32, 35.0, 70.0] {
+        let away = Quat::from_axis_angle(to_eye.any_orthonormal_vector(), tilt.to_radians());
+        let patches = Patches {
+            to_eye,
+            lights: vec![towards(away * to_eye, [3.0, 2.0, 1.0])],
+            ambient: around(),
+            patches: cases(to_eye, 85.0),
+        };
+        for variant in variants() {
+            assert_predicted(&patches, variant, tolerances::pixel(variant.lighting));
+        }
+    }
+}
+
+#[test]
+fn point_and_spot_lights_by_distance_and_cone() {
+    let to_eye = Vec3::new(-0.2, 0.9, 0.4).normalize();
+    let spot = LightKind::Spot {
+        position: Vec3::new(6.0, 14.0, -2.0),
+        direction: Vec3::new(-0.4, -0.9, 0.15).normalize(),
+        intensity: 300.0,
+        radius: 0.3,
+        inner_degrees: 20.0,
+        outer_degrees: 50.0,
+    };
+    let point = LightKind::Point {
+        position: Vec3::new(-3.0, 9.0, 8.0),
+        intensity: 120.0,
+        radius: 0.05,
+    };
+    let light = |kind| Light {
+        name: "case".into(),
+        color: [1.0, 0.7, 0.4],
+        kind,
+    };
+    let patches = Patches {
+        to_eye,
+        lights: vec![light(spot), light(point)],
+        ambient: DARK,
+        patches: cases(to_eye, 70.0),
+    };
+    for variant in variants().filter(|variant| variant.terms != TERM_SETS[0]) {
+        assert_predicted(&patches, variant, tolerances::pixel(variant.lighting));
+    }
+}
+
+#[test]
+fn several_lights_add_up() {
+    let to_eye = Vec3::Z;
+    let directions = [
+        Vec3::new(0.5, 0.5, 1.0),
+        Vec3::new(-1.0, 0.2, 0.6),
+        Vec3::Y + Vec3::Z,
+    ];
+    let lights: Vec<_> = directions
+        .iter()
+        .map(|direction| towards(direction.normalize(), [1.0, 0.5, 0.25]))
+        .collect();
+    let patches = Patches {
+        to_eye,
+        lights,
+        ambient: around(),
+        patches: cases(to_eye, 60.0),
+    };
+    for lighting in Lighting::ALL {
+        let variant = Variant {
+            lighting,
+            terms: Terms::ALL,
+        };
+        assert_predicted(&patches, variant, tolerances::pixel(variant.lighting));
+    }
+}
+
+#[test]
+fn mirrors_and_other_smooth_surfaces_show_the_light_itself() {
+    // Close to the peak, where a mirror's highlight is: N within a few widths of the half vector.
+    let to_eye = Vec3::new(0.1, 0.2, 0.97).normalize();
+    let to_light = Vec3::new(-0.4, 0.6, 0.7).normalize();
+    let half = (to_eye + to_light).normalize();
+    let patches: Vec<_> = [0.0_f32, 1e-3, 1e-2, 0.05]
+        .into_iter()
+        .flat_map(|roughness| {
+            (0..64).map(move |step| {
+                let width = roughness.max(2e-3);
+                let tilt = width * step as f32 / 20.0;
+                let axis = half.any_orthonormal_vector();
+                Patch {
+                    normal: Quat::from_axis_angle(axis, tilt) * half,
+                    material: material([0.0; 3], [0.9, 0.6, 0.3], roughness),
+                }
+            })
+        })
+        .collect();
+    let patches = Patches {
+        to_eye,
+        lights: vec![towards(to_light, [1.0; 3])],
+        ambient: DARK,
+        patches,
+    };
+    let variant = Variant::default();
+    assert_predicted(&patches, variant, tolerances::SMOOTH_PIXEL);
+    let brightest = with_gpu(|gpu| patches.rendered(gpu, variant))
+        .into_iter()
+        .map(|pixel| pixel[0])
+        .fold(0.0, f32::max);
+    assert!(brightest > 1e4, "the mirror's peak is there: {brightest:e}");
+}
+
+#[test]
+fn emission_is_added_and_opacity_dims_the_base_alone() {
+    let to_eye = Vec3::Z;
+    let mut patches = cases(to_eye, 80.0);
+    for (i, patch) in patches.iter_mut().enumerate() {
+        patch.material.opacity = (i % 11) as f32 / 10.0;
+        patch.material.emission = [0.0, 2.0, (i % 7) as f32];
+    }
+    let patches = Patches {
+        to_eye,
+        lights: vec![towards(Vec3::new(0.6, 0.0, 0.8), [1.0; 3])],
+        ambient: around(),
+        patches,
+    };
+    for lighting in Lighting::ALL {
+        let variant = Variant {
+            lighting,
+            terms: Terms::ALL,
+        };
+        assert_predicted(&patches, variant, tolerances::pixel(variant.lighting));
+    }
+}
+
+#[test]
+fn no_input_makes_a_corrected_pixel_that_is_no_number() {
+    let to_eye = Vec3::new(0.0, 1.0, 0.2).normalize();
+    let awkward = [
+        Vec3::ZERO,
+        Vec3::splat(1e-30),
+        Vec3::splat(f32::MIN_POSITIVE),
+        to_eye,
+        -to_eye,
+        to_eye.any_orthonormal_vector(),
+        Vec3::new(1e18, 1.0, 1e-18),
+    ];
+    let patches: Vec<_> = awkward
+        .into_iter()
+        .flat_map(|normal| {
+            [0.0, 1e-6, 0.3, 1.0].map(|roughness| Patch {
+                normal,
+                material: material([1.0; 3], [1.0; 3], roughness),
+            })
+        })
+        .collect();
+    for to_light in [to_eye, -to_eye, to_eye.any_orthonormal_vector()] {
+        let mut patches = Patches {
+            to_eye,
+            lights: vec![towards(to_light, [1.0; 3])],
+            ambient: around(),
+            patches: patches.clone(),
+        };
+        // A lamp on one of the patches, and one that is larger than its distance.
+        for (position, radius) in [(patches.middle(0), 1e-3), (patches.middle(9), 5.0)] {
+            patches.lights.push(Light {
+                name: "on the surface".into(),
+                color: [1.0; 3],
+                kind: LightKind::Point {
+                    position,
+                    intensity: 1.0,
+                    radius,
+                },
+            });
+        }
+        let pixels = with_gpu(|gpu| patches.rendered(gpu, Variant::default()));
+        for (pixel, patch) in pixels.into_iter().zip(&patches.patches) {
+            let good = pixel.iter().all(|value| value.is_finite() && *value >= 0.0);
+            assert!(good, "{pixel:?} from {patch:?}, light towards {to_light:?}");
+        }
+    }
+}

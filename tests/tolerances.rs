@@ -1,0 +1,136 @@
+//! How far may a result be from its truth, and why that far?
+
+#![allow(
+    dead_code,
+    reason = "each of the two test binaries uses its own part of the table"
+)]
+
+use umber::reference::shade::Lighting;
+
+/// Two f64 forms of one formula, relative: some tens of operations of 1e-16 each, and angles taken through
+/// atan2 whose tangents grow near 90 degrees (samples stop at 89.5: a factor of 115).
+pub const SAME_FORMULA: f64 = 1.0e-12;
+
+/// As above where 1 - (N.H)^2 or 1 - H.E is formed by subtraction, as the slides' listing does: what is left of
+/// 1e-16 after division by the least m^2 of the samples (0.01) and multiplication by slopes up to 115^2.
+pub const SAME_FORMULA_CANCELLING: f64 = 1.0e-8;
+
+/// As SAME_FORMULA where a power or an exponential multiplies it: exp(-tan^2 / m^2) with m >= 0.1 by up to
+/// twice its exponent, some hundreds where the result is not yet 0; shininess 40; a cone 5 degrees wide.
+pub const SAME_FORMULA_PEAKED: f64 = 1.0e-10;
+
+/// Values at two directions 2e-9 radians apart, relative: a function without a jump, of slope below 5.
+pub const CONTINUOUS: f64 = 1.0e-8;
+
+/// A midpoint sum of 1000 by 1000 points over a kink: of the order of the step squared.
+pub const MIDPOINT_SUM: f64 = 1.0e-5;
+
+/// An integral of a smooth function by 16 Gauss nodes an interval, relative.
+pub const QUADRATURE_SMOOTH: f64 = 1.0e-9;
+
+/// An integral over half vectors, absolute: the lobe's kinks (where G begins to fall, where the light sets) lie
+/// across the intervals, each 1/8 of the range with 16 nodes.
+pub const QUADRATURE_KINKED: f64 = 3.0e-4;
+
+/// Figures that are stated to three decimals: a unit of the last, since some are cut and not rounded.
+pub const THREE_DECIMALS: f64 = 1.0e-3;
+
+/// Figures that are stated to two decimals.
+pub const TWO_DECIMALS: f64 = 5.0e-3;
+
+/// Figures that are stated to four decimals, at the samples' step of 1e-4.
+pub const FOUR_DECIMALS: f64 = 1.0e-4;
+
+/// Figures that are stated to five decimals.
+pub const FIVE_DECIMALS: f64 = 5.0e-6;
+
+/// The share of sky that the ambient reflection takes, against the integral of its lobe: what the fit reaches.
+pub const SKY_SHARE_WORST: f64 = 0.17;
+/// The same in the mean square over roughness, view and tilt.
+pub const SKY_SHARE_RMS: f64 = 0.06;
+
+/// Schlick's curve against Fresnel's for glass of index 1.5, absolute, at its worst angle (85 degrees).
+pub const SCHLICK_GLASS: f64 = 0.037;
+
+/// A bound relative to the truth, with a floor for truths near 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Relative {
+    /// Of the truth.
+    pub relative: f64,
+    /// Added to it, in the values' own unit.
+    pub absolute: f64,
+}
+
+impl Relative {
+    /// How much of the tolerance a result takes: up to 1 it holds. A NaN takes all and more.
+    pub fn share(&self, got: f64, want: f64) -> f64 {
+        let share = (got - want).abs() / (self.relative * want.abs() + self.absolute);
+        if share.is_nan() { f64::INFINITY } else { share }
+    }
+
+    /// Whether `got` is near enough to `want`.
+    pub fn holds(&self, got: f64, want: f64) -> bool {
+        self.share(got, want) <= 1.0
+    }
+}
+
+/// Below it a radiance is noise: 1e-6 of the lights of the tests, which are around 1 lx.
+const FLOOR: f64 = 1.0e-6;
+
+/// A corrected pixel of roughness 0.1 or more. Its f32 terms are good to 1.3e-6 on lavapipe; Vulkan
+/// allows exp 3 + 2|x| units in the last place (2^-23), and the exponent reaches -50 where there is
+/// anything left to compare: 103 x 1.2e-7.
+pub const CORRECTED_PIXEL: Relative = Relative {
+    relative: 1.5e-5,
+    absolute: FLOOR,
+};
+
+/// A Phong pixel: pow(x, n) is exp2(n log2(x)), n reaches 198 here, and 3 units in the last place of
+/// x (1.2e-7 each) are 198 times as many of the result.
+pub const PHONG_PIXEL: Relative = Relative {
+    relative: 1.0e-4,
+    absolute: FLOOR,
+};
+
+/// A pixel of the slides' listing: Vulkan allows sin and cos 2^-11 (4.9e-4) each, and acos and tan are
+/// made of them.
+pub const LISTING_PIXEL: Relative = Relative {
+    relative: 1.5e-3,
+    absolute: FLOOR,
+};
+
+/// A corrected pixel near the peak of a lobe of the least width, 1e-3: 8e-7/m of f32 rounding, which is
+/// 8e-4, and its slope there.
+pub const SMOOTH_PIXEL: Relative = Relative {
+    relative: 1.0e-3,
+    absolute: FLOOR,
+};
+
+/// The tolerance of a lighting model.
+pub fn pixel(lighting: Lighting) -> Relative {
+    match lighting {
+        Lighting::Phong => PHONG_PIXEL,
+        Lighting::Slides => LISTING_PIXEL,
+        Lighting::Corrected => CORRECTED_PIXEL,
+    }
+}
+
+/// A pixel of a curved surface: a rasteriser snaps corners to 1/256 pixel, which on a sphere of 16 pixels'
+/// radius turns the interpolated normal by 2.4e-4; where that meets a lobe's slope, four times as much.
+pub fn curved_pixel(lighting: Lighting) -> Relative {
+    let flat = pixel(lighting);
+    Relative {
+        relative: flat.relative + 1.0e-3,
+        absolute: flat.absolute * 10.0,
+    }
+}
+
+/// A blend of constants: a handful of f32 roundings.
+pub const BLENDED_PIXEL: Relative = Relative {
+    relative: 1.0e-6,
+    absolute: 1.0e-7,
+};
+
+/// The share of 8-bit codes that may differ by more than one step from a golden picture: a triangle's
+/// edge may fall on the other side of a pixel's middle on another driver or version.
+pub const GOLDEN_SHARE: f64 = 0.01;
