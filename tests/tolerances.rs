@@ -5,6 +5,8 @@
     reason = "each of the two test binaries uses its own part of the table"
 )]
 
+use std::ops::Neg;
+
 use umber::reference::shade::Lighting;
 
 /// Two f64 forms of one formula, relative: some tens of operations of 1e-16 each, and angles taken through
@@ -115,13 +117,15 @@ pub fn pixel(lighting: Lighting) -> Relative {
     }
 }
 
-/// A pixel of a curved surface: a rasteriser snaps corners to 1/256 pixel, which on a sphere of 16 pixels'
-/// radius turns the interpolated normal by 2.4e-4; where that meets a lobe's slope, four times as much.
-pub fn curved_pixel(lighting: Lighting) -> Relative {
+/// A pixel of a sphere of `radius` pixels, times the cosine at which it is seen, under about 1 lx: a rasteriser snaps corners to 2^-`bits` pixel
+/// (8 on lavapipe, 4 on SwiftShader), which turns the interpolated normal by that over the radius. Lambert
+/// changes by as much, whatever its value; where a lobe is steep, by four times as much of its own.
+pub fn curved_pixel(lighting: Lighting, bits: u32, radius: f64) -> Relative {
     let flat = pixel(lighting);
+    let turn = f64::from(bits).neg().exp2() / radius;
     Relative {
-        relative: flat.relative + 1.0e-3,
-        absolute: flat.absolute * 10.0,
+        relative: flat.relative + 4.0 * turn,
+        absolute: flat.absolute + turn,
     }
 }
 

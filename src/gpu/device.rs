@@ -139,6 +139,11 @@ impl Device {
         u64::from(self.limits.max_storage_buffer_range)
     }
 
+    /// Corners are snapped to 2^-bits of a pixel before they are filled; at least 4.
+    pub fn subpixel_bits(&self) -> u32 {
+        self.limits.sub_pixel_precision_bits
+    }
+
     pub(super) fn beyond(&self, what: &'static str, value: u64, limit: u64) -> Error {
         Error::BeyondLimit {
             what,

@@ -7,10 +7,9 @@ use std::path::{Path, PathBuf};
 
 use umber::reference::shade::Lighting;
 use umber::render::{PictureFormat, ToneMapping, encode, srgb_codes};
-use umber::scene::{self, LoadOptions};
 
 use crate::harness::{whole, with_gpu};
-use crate::tolerances;
+use crate::{tolerances, zoo};
 
 const SIZE: (u32, u32) = (96, 54);
 /// A golden picture is small, so that a change of it can be seen in a review.
@@ -64,8 +63,7 @@ fn difference(kept: &[u8], actual: &[u8]) -> (f64, u8) {
 
 fn compare(golden: &Golden) -> Result<(), String> {
     let text = |error: &dyn std::fmt::Display| format!("{}: {error}", golden.name);
-    let path = root().join("scenes").join(golden.scene);
-    let scene = scene::load(&path, &LoadOptions::default()).map_err(|e| text(&e))?;
+    let scene = zoo::load(golden.scene);
     let (picture, is_lavapipe) = with_gpu(|gpu| {
         (
             gpu.render(&scene, SIZE, whole(golden.lighting)),

@@ -6,6 +6,7 @@ mod binary;
 mod blending;
 mod canaries;
 mod claim;
+mod corrections;
 mod device;
 mod golden;
 mod harness;

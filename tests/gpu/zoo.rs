@@ -8,7 +8,8 @@ use umber::scene::{self, LoadOptions, Scene};
 
 use crate::harness::{whole, with_gpu};
 
-fn load(name: &str) -> Scene {
+/// One of the sample scenes.
+pub fn load(name: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("scenes")
         .join(name);

@@ -120,7 +120,7 @@ pub fn drum() -> Vec<Part> {
 /// Discs stacked 0.2 mm apart, each smaller than the one below. Drawn with a black material of
 /// low opacity they darken the ground in steps too small to see.
 pub fn shadow() -> Vec<Part> {
-    let (discs, corners) = (16, 40);
+    let (discs, corners) = (16, 28);
     let mut solid = Solid::default();
     for disc in 0..discs {
         let t = disc as f32 / discs as f32;

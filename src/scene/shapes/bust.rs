@@ -100,7 +100,7 @@ fn face(q: Vec3, head: f32) -> f32 {
         0.024,
     );
     d = join(d, ball(q, v(0.0, 0.697, 0.177), 0.0190), 0.012);
-    d = join(d, ball(q, v(0.0190, 0.690, 0.157), 0.0135), 0.012);
+    d = join(d, ball(q, v(0.0165, 0.690, 0.157), 0.0125), 0.016);
     d = carve(d, ball(q, v(0.0100, 0.678, 0.165), 0.0060), 0.005);
     // Lips and the groove under the nose.
     d = join(

@@ -165,7 +165,7 @@ fn wrist(p: Vec3) -> f32 {
     );
     let arm = join(radius, ulna, 0.09);
     // The ulna's head.
-    join(arm, ball(p, Vec3::new(0.080, 0.175, 0.030), 0.030), 0.05)
+    join(arm, ball(p, Vec3::new(0.078, 0.175, 0.028), 0.026), 0.06)
 }
 
 fn palm(p: Vec3) -> f32 {

@@ -158,10 +158,10 @@ fn face(solid: &mut Solid, centre: Vec3, u: Vec3, v: Vec3, cells: [u32; 2]) {
 fn board(half: Vec3, below: f32, seed: u32) -> [Surface; 2] {
     let mut solid = Solid::default();
     let (x, y, z) = (Vec3::X * half.x, Vec3::Y * half.y, Vec3::Z * half.z);
-    face(&mut solid, y, z, x, [30, 28]);
-    face(&mut solid, z, x, y, [30, 8]);
-    face(&mut solid, x, y, z, [8, 30]);
-    face(&mut solid, -x, z, y, [30, 8]);
+    face(&mut solid, y, z, x, [26, 20]);
+    face(&mut solid, z, x, y, [24, 8]);
+    face(&mut solid, x, y, z, [8, 26]);
+    face(&mut solid, -x, z, y, [26, 8]);
     face(&mut solid, -z, y, x, [8, 12]);
     face(&mut solid, -y, x, z, [4, 4]);
     let [late, early] = solid.shade(30.0).split(|p| grain(p, below, seed));
