@@ -1,16 +1,15 @@
 //! Which Vulkan devices are here?
 
 use crate::cli::exit::Failure;
-use crate::cli::{print_bytes, print_json};
+use crate::cli::output::{JsonArgument, print_bytes, write_json};
 use crate::gpu::{DeviceInfo, Instance, Validation};
 use crate::report::Device;
 
 /// Options of `umber devices`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: JsonArgument,
 }
 
 /// `umber.devices/1`.
@@ -30,20 +29,22 @@ struct Row {
 
 /// Prints the list.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let json = arguments.json.open()?;
     let devices = Instance::new(Validation::Off)?.devices()?;
-    if arguments.json {
-        let rows = devices.iter().map(|info| Row {
-            index: info.index,
-            device: info.into(),
-            missing: info.missing.clone(),
-        });
-        return print_json(&Report {
-            schema: "umber.devices/1",
-            devices: rows.collect(),
-        });
-    }
-    let lines: String = devices.iter().map(describe).collect();
-    print_bytes(lines.as_bytes())
+    let Some(json) = json else {
+        let lines: String = devices.iter().map(describe).collect();
+        return print_bytes(lines.as_bytes());
+    };
+    let rows = devices.iter().map(|info| Row {
+        index: info.index,
+        device: info.into(),
+        missing: info.missing.clone(),
+    });
+    let report = Report {
+        schema: "umber.devices/1",
+        devices: rows.collect(),
+    };
+    write_json(json, &report)
 }
 
 /// Three lines on one device.

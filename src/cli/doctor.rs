@@ -1,11 +1,12 @@
 //! What does Vulkan see on this system, what is missing, and what mends it?
 
-use std::fmt::Write;
-
 use crate::cli::devices::describe;
 use crate::cli::exit::{Exit, Failure};
-use crate::cli::print_bytes;
-use crate::gpu::{self, Instance, Validation, driver_files, install_line};
+use crate::cli::output::print_bytes;
+use crate::gpu::{
+    Canary, Device, DeviceInfo, DeviceSelector, Error, Instance, Validation, choose, driver_files,
+    install_line,
+};
 
 /// The variables that change what the loader finds.
 const VARIABLES: &[&str] = &[
@@ -20,52 +21,29 @@ const VARIABLES: &[&str] = &[
 
 /// Prints the findings; fails where no device can run Umber.
 pub fn run() -> Result<(), Failure> {
-    let mut text = String::new();
-    // Writing to a String cannot fail.
-    let _ = write!(text, "{}{}", environment(), drivers());
-    let devices = Instance::new(Validation::Off).and_then(|instance| instance.devices());
-    let suitable = match &devices {
-        Ok(devices) => {
-            text.push_str("loader: found\ndevices:\n");
-            text.extend(devices.iter().map(describe));
-            devices.iter().any(|device| device.missing.is_empty())
-        }
-        Err(error) => {
-            let _ = writeln!(text, "loader or driver: {error}");
-            false
-        }
+    print_bytes(environment().as_bytes())?;
+    print_bytes(drivers().as_bytes())?;
+    let devices = Instance::new(Validation::Off)?.devices()?;
+    print_bytes(found(&devices).as_bytes())?;
+    if devices.iter().all(|device| !device.missing.is_empty()) {
+        let line = install_line();
+        let message = format!("no device can run Umber; a software one does:\n{line}");
+        return Err(Failure::new(Exit::Device, message));
+    }
+    let validation = match validation() {
+        Ok(heard) => format!("validation: the layer is installed, {heard}\n"),
+        Err(error) => format!("validation: {error}\n"),
     };
-    if devices.is_ok() {
-        let _ = writeln!(text, "validation: {}", validation());
-    }
-    print_bytes(text.as_bytes())?;
-    match (devices, suitable) {
-        (Ok(_), true) => print_bytes(b"all is here: `umber render SCENE` will work\n"),
-        (Ok(_), false) => Err(Failure::new(
-            Exit::Device,
-            format_args!(
-                "no device can run Umber; a software one does:\n{}",
-                install_line()
-            ),
-        )),
-        (Err(error), _) => Err(Failure::new(
-            exit_of(&error),
-            "Vulkan is not usable, see above",
-        )),
-    }
-}
-
-fn exit_of(_: &gpu::Error) -> Exit {
-    Exit::Device
+    print_bytes(validation.as_bytes())?;
+    print_bytes(b"all is here: `umber render SCENE` will work\n")
 }
 
 fn environment() -> String {
     let set: Vec<_> = VARIABLES
         .iter()
         .filter_map(|name| {
-            std::env::var(name)
-                .ok()
-                .map(|value| format!("  {name}={value}\n"))
+            let value = std::env::var_os(name)?;
+            Some(format!("  {name}={}\n", value.display()))
         })
         .collect();
     if set.is_empty() {
@@ -86,9 +64,23 @@ fn drivers() -> String {
     format!("driver files:\n{lines}")
 }
 
-fn validation() -> String {
-    match Instance::new(Validation::On) {
-        Ok(_) => "the layer is installed".into(),
-        Err(error) => error.to_string(),
+fn found(devices: &[DeviceInfo]) -> String {
+    let lines: String = devices.iter().map(describe).collect();
+    format!("loader: found\ndevices:\n{lines}")
+}
+
+/// Makes known mistakes under the layers, and says whether they were heard.
+fn validation() -> Result<String, Error> {
+    let instance = Instance::new(Validation::On)?;
+    let devices = instance.devices()?;
+    let device = Device::open(&instance, choose(&devices, &DeviceSelector::Best)?)?;
+    let mut heard = Vec::new();
+    for canary in Canary::ALL {
+        canary.sing(&device)?;
+        let messages = instance.validation_log().drain();
+        let answer = messages.iter().any(|m| m.contains(canary.expected()));
+        let answer = if answer { "answers" } else { "is silent" };
+        heard.push(format!("{} validation {answer}", canary.name()));
     }
+    Ok(heard.join(", "))
 }

@@ -50,7 +50,10 @@ impl From<Failure> for ExitCode {
 impl From<gpu::Error> for Failure {
     fn from(error: gpu::Error) -> Self {
         let exit = match error {
-            gpu::Error::BeyondLimit { .. } | gpu::Error::NoSuchSampleCount { .. } => Exit::Usage,
+            // Too large a picture, or too many samples: the command line asks for them.
+            gpu::Error::BeyondLimit { .. }
+            | gpu::Error::NoSuchSampleCount { .. }
+            | gpu::Error::Memory { .. } => Exit::Usage,
             _ => Exit::Device,
         };
         Self::new(exit, error)
@@ -61,7 +64,8 @@ impl From<RenderError> for Failure {
     fn from(error: RenderError) -> Self {
         match error {
             RenderError::Gpu(error) => error.into(),
-            RenderError::TooMany(error) => Self::new(Exit::File, error),
+            // The file holds more than can be drawn.
+            RenderError::Scene(_) | RenderError::TooMany(_) => Self::new(Exit::File, error),
         }
     }
 }

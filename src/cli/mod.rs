@@ -3,16 +3,17 @@
 mod devices;
 mod doctor;
 mod exit;
+mod output;
 mod render;
 
-use std::io::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::gpu::DeviceSelector;
-use exit::Failure;
+use exit::Exit;
+use output::{print_bytes, talk};
 
 /// Physically-based lighting with one Vulkan pipeline and one descriptor set for every material.
 #[derive(Parser)]
@@ -66,35 +67,15 @@ pub fn run() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("umber: {}", failure.message);
+            talk(format_args!("umber: {}", failure.message));
             failure.into()
         }
     }
 }
 
-use exit::Exit;
-
-/// Writes data to stdout. A reader that has gone away (`| head`) is no failure.
-fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
-    let mut stdout = std::io::stdout().lock();
-    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Failure::new(Exit::File, format_args!("stdout: {error}")))
-        }
-        _ => Ok(()),
+fn device_selector(text: &str) -> Result<DeviceSelector, &'static str> {
+    match text {
+        "" => Err("it names no device"),
+        text => Ok(DeviceSelector::parse(text)),
     }
-}
-
-fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
-    print_bytes(&json(value)?)
-}
-
-fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, Failure> {
-    let mut bytes = serde_json::to_vec_pretty(value).map_err(|e| Failure::new(Exit::File, e))?;
-    bytes.push(b'\n');
-    Ok(bytes)
-}
-
-fn device_selector(text: &str) -> Result<DeviceSelector, std::convert::Infallible> {
-    Ok(DeviceSelector::parse(text))
 }

@@ -1,17 +1,18 @@
 //! How does `umber render` go from a scene's file to a picture's?
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
 
+use crate::cli::device_selector;
 use crate::cli::exit::{Exit, Failure};
-use crate::cli::{device_selector, json, print_bytes, print_json};
+use crate::cli::output::{JsonArgument, Output, talk, write_json};
 use crate::gpu::{self, Device, DeviceKind, DeviceSelector, Instance, Samples, Validation};
 use crate::reference::shade::{Lighting, Terms};
 use crate::render::{
-    self, Defects, FrameReport, OutputFile, Picture, PictureFormat, Renderer, Settings,
-    ToneMapping, Variant,
+    self, Defects, FrameReport, Picture, PictureFormat, Renderer, Settings, ToneMapping, Variant,
 };
 use crate::report::{Image, Program, RenderReport, SceneSize};
 use crate::scene::{self, LoadOptions, Scene};
@@ -53,9 +54,8 @@ pub struct Arguments {
     /// Exposure of a PNG, EV at ISO 100 [default: the scene's]
     #[arg(long, value_name = "EV100", allow_negative_numbers = true, value_parser = exposure)]
     exposure: Option<f32>,
-    /// Report as JSON, on stdout or to a file
-    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
-    json: Option<Option<PathBuf>>,
+    #[command(flatten)]
+    json: JsonArgument,
     /// Run under the validation layers; a message is a failure
     #[arg(long)]
     validation: bool,
@@ -91,45 +91,61 @@ enum ToneMappingArgument {
 
 /// Loads, renders, writes, reports.
 pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
-    let destination = Destination::open(arguments)?;
+    let Places { picture, json } = Places::open(arguments)?;
     let scene = scene::load(&arguments.scene, &load_options(arguments))?;
-    say(arguments, || {
-        scene
-            .warnings
-            .iter()
-            .map(|w| format!("warning: {w}"))
-            .collect()
-    });
+    let warnings = scene.warnings.iter().map(|w| format!("warning: {w}"));
+    say(arguments, warnings);
     let device = open_device(arguments)?;
+    let rendered = render(arguments, &device, &scene);
+    // Also, and above all, where the frame failed.
+    let messages = device.instance().validation_log().drain();
+    say(arguments, &messages);
+    let (image, frame) = rendered?;
+    let defects = image.defects();
+    let bytes = encode(arguments, &scene, &image, picture.format)?;
+    let path = picture.path.display().to_string();
+    picture.output.write(&bytes)?;
+    let outside_ms = frame.first_draw_ms + frame.submit_to_idle_ms;
+    let report = RenderReport {
+        schema: RenderReport::SCHEMA,
+        device: device.info().into(),
+        scene: scene_size(&scene),
+        image: describe(path, arguments, &image, &defects),
+        frame,
+        validation_messages: messages.len(),
+        start_to_file_ms: start.elapsed().as_secs_f64() * 1e3 - outside_ms,
+        program: Program::THIS,
+    };
+    say(arguments, summary(&report, device.info().kind));
+    if let Some(json) = json {
+        write_json(json, &report)?;
+    }
+    judge(messages.len(), &defects)
+}
+
+fn render(
+    arguments: &Arguments,
+    device: &Arc<Device>,
+    scene: &Scene,
+) -> Result<(Picture, FrameReport), Failure> {
     let cache = dirs::cache_dir().map(|folder| folder.join("umber"));
-    let renderer = Renderer::new(&device, cache.as_deref())?;
-    let (picture, frame) = renderer.render(&scene, &settings(arguments))?;
-    let defects = picture.defects();
+    let renderer = Renderer::new(device, cache.as_deref())?;
+    Ok(renderer.render(scene, &settings(arguments))?)
+}
+
+fn encode(
+    arguments: &Arguments,
+    scene: &Scene,
+    picture: &Picture,
+    format: PictureFormat,
+) -> Result<Vec<u8>, Failure> {
     let ev100 = arguments.exposure.unwrap_or(scene.camera.exposure_ev100);
     let tone_mapping = match arguments.tone_mapping {
         ToneMappingArgument::None => ToneMapping::None,
         ToneMappingArgument::Neutral => ToneMapping::Neutral,
     };
-    let bytes = render::encode(&picture, destination.format, ev100, tone_mapping)
-        .map_err(|error| destination.failure(&error))?;
-    let path = destination.path.display().to_string();
-    destination.write(&bytes)?;
-    let outside_ms = frame.first_draw_ms + frame.submit_to_idle_ms;
-    let start_to_file_ms = start.elapsed().as_secs_f64() * 1e3 - outside_ms;
-    let messages = device.instance().validation_log().drain();
-    let report = RenderReport {
-        schema: RenderReport::SCHEMA,
-        device: device.info().into(),
-        scene: scene_size(&scene),
-        image: image(path, arguments, &picture, &defects),
-        frame,
-        validation_messages: messages.len(),
-        start_to_file_ms,
-        program: Program::THIS,
-    };
-    say(arguments, || summary(&report, device.info().kind));
-    write_json(arguments, &report)?;
-    judge(&messages, &defects)
+    render::encode(picture, format, ev100, tone_mapping)
+        .map_err(|error| Failure::new(Exit::File, format_args!("the picture: {error}")))
 }
 
 fn load_options(arguments: &Arguments) -> LoadOptions {
@@ -160,7 +176,7 @@ fn settings(arguments: &Arguments) -> Settings {
     }
 }
 
-fn open_device(arguments: &Arguments) -> Result<std::sync::Arc<Device>, Failure> {
+fn open_device(arguments: &Arguments) -> Result<Arc<Device>, Failure> {
     let validation = if arguments.validation {
         Validation::On
     } else {
@@ -177,72 +193,71 @@ fn open_device(arguments: &Arguments) -> Result<std::sync::Arc<Device>, Failure>
     Ok(device)
 }
 
-/// Where the picture goes.
-struct Destination {
-    path: PathBuf,
-    format: PictureFormat,
-    /// `None`: stdout.
-    file: Option<OutputFile>,
+/// Where picture and report go.
+struct Places {
+    picture: PicturePlace,
+    json: Option<Output>,
 }
 
-impl Destination {
-    /// Checks the name, and that the place can be written, before any work is done.
+struct PicturePlace {
+    path: PathBuf,
+    format: PictureFormat,
+    output: Output,
+}
+
+impl Places {
+    /// Checks both before any work is done, and that nothing is written over anything.
     fn open(arguments: &Arguments) -> Result<Self, Failure> {
         let path = match &arguments.output {
             Some(path) => path.clone(),
             None => default_output(&arguments.scene),
         };
-        if path == Path::new("-") {
-            if matches!(arguments.json, Some(None)) {
-                let message = "--output - and --json both write to stdout: give one of them a file";
+        let format = format_of(&path)?;
+        let output = Output::open(&path)?;
+        let json = arguments.json.open()?;
+        if json.as_ref().is_some_and(|json| json.is(&path)) {
+            let message = "the picture and the report go to the same place: give each its own";
+            return Err(Failure::new(Exit::Usage, message));
+        }
+        for output in [&output].into_iter().chain(&json) {
+            if output.is(&arguments.scene) {
+                let message = format!("{}: it would be overwritten", arguments.scene.display());
                 return Err(Failure::new(Exit::Usage, message));
             }
-            let format = PictureFormat::Png;
-            return Ok(Self {
-                path,
-                format,
-                file: None,
-            });
         }
-        let format = PictureFormat::of(&path).ok_or_else(|| {
+        let picture = PicturePlace {
+            path,
+            format,
+            output,
+        };
+        Ok(Self { picture, json })
+    }
+}
+
+fn format_of(path: &Path) -> Result<PictureFormat, Failure> {
+    if path == Path::new("-") {
+        return Ok(PictureFormat::Png);
+    }
+    // A device has no ending, and takes what is sent to it.
+    let is_special = path.metadata().is_ok_and(|m| !m.is_file() && !m.is_dir());
+    match PictureFormat::of(path) {
+        Some(format) => Ok(format),
+        None if is_special => Ok(PictureFormat::Png),
+        None => {
             let endings: Vec<_> = PictureFormat::ALL.iter().map(|f| f.ending()).collect();
             let message = format!(
                 "{}: no picture format has this ending; one of {} does",
                 path.display(),
                 endings.join(", ")
             );
-            Failure::new(Exit::Usage, message)
-        })?;
-        let file = OutputFile::create(&path).map_err(|error| cannot_write(&path, &error))?;
-        Ok(Self {
-            path,
-            format,
-            file: Some(file),
-        })
-    }
-
-    fn write(self, bytes: &[u8]) -> Result<(), Failure> {
-        match self.file {
-            None => print_bytes(bytes),
-            Some(file) => file
-                .commit(bytes)
-                .map_err(|error| cannot_write(&self.path, &error)),
+            Err(Failure::new(Exit::Usage, message))
         }
-    }
-
-    fn failure(&self, error: &dyn std::fmt::Display) -> Failure {
-        cannot_write(&self.path, error)
     }
 }
 
 fn default_output(scene: &Path) -> PathBuf {
     let stem = scene.file_stem().unwrap_or("picture".as_ref());
     Path::new(stem).with_added_extension("png")
-}
-
-fn cannot_write(path: &Path, error: &dyn std::fmt::Display) -> Failure {
-    let message = format!("cannot write {}: {error}", path.display());
-    Failure::new(Exit::File, message)
 }
 
 fn scene_size(scene: &Scene) -> SceneSize {
@@ -254,7 +269,7 @@ fn scene_size(scene: &Scene) -> SceneSize {
     }
 }
 
-fn image(path: String, arguments: &Arguments, picture: &Picture, defects: &Defects) -> Image {
+fn describe(path: String, arguments: &Arguments, picture: &Picture, defects: &Defects) -> Image {
     Image {
         path,
         width: picture.width,
@@ -264,26 +279,10 @@ fn image(path: String, arguments: &Arguments, picture: &Picture, defects: &Defec
     }
 }
 
-fn write_json(arguments: &Arguments, report: &RenderReport) -> Result<(), Failure> {
-    match &arguments.json {
-        None => Ok(()),
-        Some(None) => print_json(report),
-        Some(Some(path)) => {
-            let bytes = json(report)?;
-            OutputFile::create(path)
-                .and_then(|file| file.commit(&bytes))
-                .map_err(|error| cannot_write(path, &error))
-        }
-    }
-}
-
 /// What makes a written picture a failure all the same.
-fn judge(messages: &[String], defects: &Defects) -> Result<(), Failure> {
-    if let Some(first) = messages.first() {
-        let message = format!(
-            "{} validation messages; the first:\n{first}",
-            messages.len()
-        );
+fn judge(messages: usize, defects: &Defects) -> Result<(), Failure> {
+    if messages > 0 {
+        let message = format!("the validation layers had {messages} messages");
         return Err(Failure::new(Exit::Validation, message));
     }
     if let Some((x, y)) = defects.first {
@@ -297,12 +296,16 @@ fn judge(messages: &[String], defects: &Defects) -> Result<(), Failure> {
     Ok(())
 }
 
-fn say(arguments: &Arguments, lines: impl FnOnce() -> Vec<String>) {
+fn say(arguments: &Arguments, lines: impl IntoIterator<Item = impl std::fmt::Display>) {
     if !arguments.quiet {
-        for line in lines() {
-            eprintln!("{line}");
-        }
+        lines.into_iter().for_each(talk);
     }
+}
+
+/// `1 draw`, `2 draws`.
+fn count(number: u64, what: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {what}{plural}")
 }
 
 fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
@@ -320,14 +323,20 @@ fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
     let mut lines = vec![
         format!("device   {}{software}", device.name),
         format!(
-            "scene    {} triangles, {} objects, {} materials, {} lights",
-            scene.triangles, scene.objects, scene.materials, scene.lights
+            "scene    {}, {}, {}, {}",
+            count(scene.triangles, "triangle"),
+            count(scene.objects as u64, "object"),
+            count(scene.materials as u64, "material"),
+            count(scene.lights as u64, "light"),
         ),
     ];
     lines.extend(frame.passes.iter().map(|pass| {
         format!(
-            "pass     {}: {} draws, {} pipeline bind, {} descriptor set bind",
-            pass.name, pass.draws, pass.pipeline_binds, pass.descriptor_set_binds
+            "pass     {}: {}, {}, {}",
+            pass.name,
+            count(pass.draws, "draw"),
+            count(pass.pipeline_binds, "pipeline bind"),
+            count(pass.descriptor_set_binds, "descriptor set bind"),
         )
     }));
     lines.push(times(frame, report.start_to_file_ms));
@@ -349,9 +358,13 @@ fn times(frame: &FrameReport, start_to_file_ms: f64) -> String {
 }
 
 fn size(text: &str) -> Result<(u32, u32), String> {
+    let number = |digits: &str| {
+        let all_digits = digits.bytes().all(|byte| byte.is_ascii_digit());
+        all_digits.then(|| digits.parse().ok())?
+    };
     let parsed = text
         .split_once(['x', 'X'])
-        .and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+        .and_then(|(w, h)| Some((number(w)?, number(h)?)));
     match parsed {
         Some((0, _) | (_, 0)) => Err("a picture has at least one pixel each way".into()),
         Some(size) => Ok(size),

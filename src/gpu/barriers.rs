@@ -87,6 +87,15 @@ pub(super) fn image_barrier(
         .subresource_range(range)
 }
 
+/// The barrier before a copy into a buffer: whatever read or wrote it has ended.
+pub(super) fn before_copy(buffer: vk::Buffer) -> vk::BufferMemoryBarrier2<'static> {
+    buffer_barrier(buffer)
+        .src_stage_mask(vk::PipelineStageFlags2::ALL_COMMANDS)
+        .src_access_mask(vk::AccessFlags2::MEMORY_WRITE)
+        .dst_stage_mask(vk::PipelineStageFlags2::COPY)
+        .dst_access_mask(vk::AccessFlags2::TRANSFER_WRITE)
+}
+
 /// The barrier after a copy into a buffer: to the host that reads it, or to the shaders and
 /// fixed functions that fetch from it.
 pub(super) fn after_copy(
@@ -101,11 +110,15 @@ pub(super) fn after_copy(
             vk::AccessFlags2::MEMORY_READ,
         )
     };
-    vk::BufferMemoryBarrier2::default()
+    buffer_barrier(buffer)
         .src_stage_mask(vk::PipelineStageFlags2::COPY)
         .src_access_mask(vk::AccessFlags2::TRANSFER_WRITE)
         .dst_stage_mask(stage)
         .dst_access_mask(access)
+}
+
+fn buffer_barrier(buffer: vk::Buffer) -> vk::BufferMemoryBarrier2<'static> {
+    vk::BufferMemoryBarrier2::default()
         .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
         .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
         .buffer(buffer)
@@ -202,5 +215,18 @@ mod tests {
         );
         let b = after_copy(vk::Buffer::null(), false);
         assert_eq!(b.dst_access_mask, Access::MEMORY_READ);
+    }
+
+    #[test]
+    fn a_copy_waits_for_what_used_its_destination() {
+        let b = before_copy(vk::Buffer::null());
+        assert_eq!(
+            (b.src_stage_mask, b.src_access_mask),
+            (Stage::ALL_COMMANDS, Access::MEMORY_WRITE)
+        );
+        assert_eq!(
+            (b.dst_stage_mask, b.dst_access_mask),
+            (Stage::COPY, Access::TRANSFER_WRITE)
+        );
     }
 }

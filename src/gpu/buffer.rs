@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ash::vk;
 use gpu_allocator::MemoryLocation;
-use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
+use gpu_allocator::vulkan::Allocation;
 
 use super::device::Device;
 use super::error::{Error, Named};
@@ -72,13 +72,14 @@ impl Buffer {
         bytes: u64,
     ) -> Result<Self, Error> {
         assert!(bytes > 0, "{name}: a buffer of no bytes");
-        check_range(device, usage, bytes)?;
+        check_size(device, name, usage, bytes)?;
         let info = vk::BufferCreateInfo::default()
             .size(bytes)
             .usage(usage.usage());
-        // SAFETY: the size is not 0 (VUID-VkBufferCreateInfo-size-00912).
+        // SAFETY: the size is not 0 (VUID-VkBufferCreateInfo-size-00912) nor beyond maxBufferSize
+        // (VUID-VkBufferCreateInfo-size-06409): both were checked.
         let raw = unsafe { device.raw.create_buffer(&info, None) }.named("vkCreateBuffer")?;
-        let allocation = match allocate(device, name, raw, usage, bytes) {
+        let allocation = match allocate(device, name, raw, usage) {
             Ok(allocation) => allocation,
             Err(error) => {
                 // SAFETY: the buffer was never used.
@@ -111,6 +112,10 @@ impl Buffer {
         upload.finish()
     }
 
+    pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
+        Arc::ptr_eq(&self.device, device)
+    }
+
     /// Size in bytes.
     pub fn bytes(&self) -> u64 {
         self.bytes
@@ -135,14 +140,15 @@ impl Buffer {
 
     /// Writes into a staging buffer.
     pub(super) fn write(&mut self, offset: u64, data: &[u8]) -> Result<(), Error> {
-        let error = self.not_mapped();
         let start = usize::try_from(offset).unwrap_or(usize::MAX);
-        self.allocation
-            .mapped_slice_mut()
-            .and_then(|slice| slice.get_mut(start..)?.get_mut(..data.len()))
-            .ok_or(error)?
-            .copy_from_slice(data);
-        Ok(())
+        let mapped = self.allocation.mapped_slice_mut();
+        match mapped.and_then(|slice| slice.get_mut(start..)?.get_mut(..data.len())) {
+            Some(place) => {
+                place.copy_from_slice(data);
+                Ok(())
+            }
+            None => Err(self.not_mapped()),
+        }
     }
 
     fn not_mapped(&self) -> Error {
@@ -167,15 +173,16 @@ impl Drop for Buffer {
     }
 }
 
-fn check_range(device: &Device, usage: BufferUse, bytes: u64) -> Result<(), Error> {
-    let (what, limit) = match usage {
-        BufferUse::Storage => ("a storage buffer", device.limits.max_storage_buffer_range),
-        BufferUse::Uniform => ("a uniform buffer", device.limits.max_uniform_buffer_range),
-        _ => return Ok(()),
+fn check_size(device: &Device, name: &str, usage: BufferUse, bytes: u64) -> Result<(), Error> {
+    let limits = &device.limits;
+    let range = match usage {
+        BufferUse::Storage => limits.max_storage_buffer_range.into(),
+        BufferUse::Uniform => limits.max_uniform_buffer_range.into(),
+        _ => u64::MAX,
     };
-    let limit = u64::from(limit);
+    let limit = range.min(device.max_buffer_bytes);
     if bytes > limit {
-        return Err(device.beyond(what, bytes, limit));
+        return Err(device.beyond(format!("the buffer '{name}' in bytes"), bytes, limit));
     }
     Ok(())
 }
@@ -185,34 +192,15 @@ fn allocate(
     name: &str,
     buffer: vk::Buffer,
     usage: BufferUse,
-    bytes: u64,
 ) -> Result<Allocation, Error> {
     // SAFETY: the buffer is this device's.
     let requirements = unsafe { device.raw.get_buffer_memory_requirements(buffer) };
-    let mut allocator = device.allocator();
-    let allocation = allocator
-        .allocate(&AllocationCreateDesc {
-            name,
-            requirements,
-            location: usage.location(),
-            linear: true,
-            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
-        })
-        .map_err(|error| Error::Memory {
-            what: name.to_owned(),
-            bytes,
-            reason: error.to_string(),
-        })?;
+    let allocation = device.allocate(name, requirements, usage.location(), true)?;
     // SAFETY: memory of the buffer's own requirements, bound once.
     let bound = unsafe {
         device
             .raw
             .bind_buffer_memory(buffer, allocation.memory(), allocation.offset())
     };
-    if let Err(result) = bound {
-        // The caller hears of the failed bind; a failed free on top of it adds nothing.
-        let _ = allocator.free(allocation);
-        return Err(result).named("vkBindBufferMemory");
-    }
-    Ok(allocation)
+    device.keep_if(bound, allocation, "vkBindBufferMemory")
 }

@@ -26,10 +26,18 @@ impl Canary {
     /// Every canary.
     pub const ALL: &'static [Self] = &[Self::Core, Self::Synchronization];
 
+    /// What kind of validation must hear it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Core => "core",
+            Self::Synchronization => "synchronization",
+        }
+    }
+
     /// A part of the message that must come.
     pub fn expected(self) -> &'static str {
         match self {
-            Self::Core => "vkCmdCopyBuffer",
+            Self::Core => "VUID-vkCmdCopyBuffer-size-00115",
             Self::Synchronization => "SYNC-HAZARD-WRITE-AFTER-WRITE",
         }
     }
@@ -60,9 +68,9 @@ impl Recorder<'_> {
         let region = vk::BufferCopy::default().size(bytes);
         // SAFETY: recorded and thrown away; the buffers outlive the recorder.
         unsafe {
-            self.device()
+            self.device
                 .raw
-                .cmd_copy_buffer(self.raw(), from.raw, to.raw, &[region]);
+                .cmd_copy_buffer(self.commands, from.raw, to.raw, &[region]);
         }
     }
 }

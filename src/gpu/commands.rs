@@ -1,8 +1,7 @@
-//! What is recorded, in which order, and how many state commands does it take?
+//! What is recorded, in which order, and when is it done?
 //!
 //! A recorder borrows all that it uses, and `submit` waits until the device is idle: nothing can be
-//! dropped while the device still needs it. It counts what it records, so that the claim of one
-//! pipeline and one set is a number and not a promise.
+//! dropped, read or written by the host while the device still needs it.
 
 use std::ffi::CString;
 use std::marker::PhantomData;
@@ -12,47 +11,21 @@ use ash::vk;
 
 use super::barriers::{self, ImageUse};
 use super::buffer::{Buffer, BufferUse};
-use super::descriptors::DescriptorSet;
 use super::device::Device;
 use super::error::{Error, Named};
+use super::format::{Samples, TargetFormat};
 use super::image::{Image, whole};
-use super::pipeline::Pipeline;
+use super::pass::{Pass, PassCounts, PassInfo};
 use super::timestamps::Timestamps;
-
-/// What one pass recorded.
-#[derive(Clone, PartialEq, Eq, Debug, serde::Serialize)]
-pub struct PassCounts {
-    /// The pass's label.
-    pub name: String,
-    /// Draw commands.
-    pub draws: u64,
-    /// Pipeline binds.
-    pub pipeline_binds: u64,
-    /// Descriptor set binds.
-    pub descriptor_set_binds: u64,
-}
-
-/// Where a pass draws. The colour target is cleared to transparent black, depth to 0 (far).
-#[derive(Clone, Copy)]
-pub struct PassInfo<'a> {
-    /// The pass's label.
-    pub name: &'a str,
-    /// Colour target.
-    pub color: &'a Image,
-    /// Where the colour target's samples are averaged to, if it has several.
-    pub resolve: Option<&'a Image>,
-    /// Depth target.
-    pub depth: &'a Image,
-}
 
 /// A command buffer in the making.
 pub struct Recorder<'a> {
-    commands: vk::CommandBuffer,
+    pub(super) commands: vk::CommandBuffer,
     pool: vk::CommandPool,
     images: Vec<(vk::Image, ImageUse)>,
     passes: Vec<PassCounts>,
-    device: Arc<Device>,
-    used: PhantomData<&'a ()>,
+    pub(super) device: Arc<Device>,
+    used: PhantomData<&'a mut ()>,
 }
 
 impl<'a> Recorder<'a> {
@@ -94,41 +67,34 @@ impl<'a> Recorder<'a> {
     }
 
     /// Records a pass: `draw` says what is in it.
+    ///
+    /// # Panics
+    /// The targets differ in size or samples, or there is no resolve target where colour has
+    /// several samples (or one where it has not).
     pub fn pass(&mut self, info: &PassInfo<'a>, draw: impl FnOnce(&mut Pass<'_, 'a>)) {
-        let targets = [info.color, info.depth];
-        for image in targets.into_iter().chain(info.resolve) {
-            assert_eq!(
-                image.size(),
-                info.color.size(),
-                "{}: targets of one size",
-                info.name
-            );
-            self.transition(image, target_use(image));
+        info.check(&self.device);
+        self.transition(info.color, ImageUse::ColorTarget);
+        self.transition(info.depth, ImageUse::DepthTarget);
+        if let Some(resolve) = info.resolve {
+            self.transition(resolve, ImageUse::ColorTarget);
         }
         self.begin_label(info.name);
-        self.begin_rendering(info);
-        let mut pass = Pass {
-            recorder: self,
-            counts: PassCounts {
-                name: info.name.to_owned(),
-                draws: 0,
-                pipeline_binds: 0,
-                descriptor_set_binds: 0,
-            },
-            bound: Bound::default(),
-        };
-        draw(&mut pass);
-        let counts = pass.counts;
-        // SAFETY: rendering was begun above.
-        unsafe { self.device.raw.cmd_end_rendering(self.commands) };
+        let counts = Pass::record(self, info, draw);
         self.end_label();
         self.passes.push(counts);
     }
 
-    /// Copies the texels of a one-sample image, row by row without padding.
-    pub fn copy_image(&mut self, image: &'a Image, to: &'a Buffer) {
-        assert!(to.bytes() >= image.bytes(), "the buffer holds the image");
+    /// Copies the texels of a one-sample colour image, row by row without padding.
+    ///
+    /// # Panics
+    /// The image is of another kind, or the buffer is too small or not for readback.
+    pub fn copy_image(&mut self, image: &'a Image, to: &'a mut Buffer) {
+        let copyable = (TargetFormat::Rgba32Float, Samples::One);
+        assert_eq!((image.format(), image.samples()), copyable);
+        assert!(image.is_of(&self.device) && to.is_of(&self.device));
+        assert!(to.usage() == BufferUse::Readback && to.bytes() >= image.bytes());
         self.transition(image, ImageUse::TransferSource);
+        self.before_copy(to);
         let range = whole(image.format());
         let region = vk::BufferImageCopy::default()
             .image_subresource(vk::ImageSubresourceLayers {
@@ -138,7 +104,8 @@ impl<'a> Recorder<'a> {
                 layer_count: 1,
             })
             .image_extent(image.extent().into());
-        // SAFETY: the image is in the layout named, and the buffer is large enough.
+        // SAFETY: the image is in the layout named and can be copied from; the buffer can be copied
+        // to and is large enough.
         unsafe {
             self.device.raw.cmd_copy_image_to_buffer(
                 self.commands,
@@ -151,12 +118,18 @@ impl<'a> Recorder<'a> {
         self.after_copy(to);
     }
 
-    /// Copies `bytes` from the start of one buffer to an offset in another.
-    pub fn copy_buffer(&mut self, from: &'a Buffer, to: &'a Buffer, offset: u64, bytes: u64) {
+    /// Copies `bytes` (at least 1) from the start of a staging buffer to an offset in another buffer.
+    ///
+    /// # Panics
+    /// A range leaves its buffer, or the buffers are of another use.
+    pub fn copy_buffer(&mut self, from: &'a Buffer, to: &'a mut Buffer, offset: u64, bytes: u64) {
+        assert!(from.is_of(&self.device) && to.is_of(&self.device));
+        assert!(from.usage() == BufferUse::Staging && to.usage() != BufferUse::Staging);
         let end = offset.checked_add(bytes);
-        assert!(bytes <= from.bytes() && end.is_some_and(|end| end <= to.bytes()));
+        assert!(bytes > 0 && bytes <= from.bytes() && end.is_some_and(|end| end <= to.bytes()));
+        self.before_copy(to);
         let region = vk::BufferCopy::default().dst_offset(offset).size(bytes);
-        // SAFETY: both ranges are inside their buffers.
+        // SAFETY: both ranges are inside their buffers, which can be copied from and to.
         unsafe {
             self.device
                 .raw
@@ -165,32 +138,22 @@ impl<'a> Recorder<'a> {
         self.after_copy(to);
     }
 
-    /// The stamp before the work that is timed.
-    pub fn begin_timing(&mut self, timestamps: &'a Timestamps) {
-        // SAFETY: outside a rendering instance; both queries are reset before they are written.
-        unsafe {
-            let raw = &self.device.raw;
-            raw.cmd_reset_query_pool(self.commands, timestamps.pool, 0, 2);
-            raw.cmd_write_timestamp2(
-                self.commands,
-                vk::PipelineStageFlags2::ALL_COMMANDS,
-                timestamps.pool,
-                0,
-            );
-        }
-    }
-
-    /// The stamp after it.
-    pub fn end_timing(&mut self, timestamps: &'a Timestamps) {
-        // SAFETY: outside a rendering instance, after `begin_timing`.
-        unsafe {
-            self.device.raw.cmd_write_timestamp2(
-                self.commands,
-                vk::PipelineStageFlags2::ALL_COMMANDS,
-                timestamps.pool,
-                1,
-            );
-        }
+    /// Stamps the time before and after `work`, which records passes.
+    pub fn timed(&mut self, timestamps: &'a Timestamps, work: impl FnOnce(&mut Self)) {
+        assert!(timestamps.is_of(&self.device));
+        let raw = self.device.raw.clone();
+        let stamp = |commands, query| {
+            // SAFETY: outside a rendering instance; the queries were reset below.
+            unsafe {
+                let stage = vk::PipelineStageFlags2::ALL_COMMANDS;
+                raw.cmd_write_timestamp2(commands, stage, timestamps.pool, query);
+            }
+        };
+        // SAFETY: outside a rendering instance; the pool has two queries.
+        unsafe { raw.cmd_reset_query_pool(self.commands, timestamps.pool, 0, 2) };
+        stamp(self.commands, 0);
+        work(self);
+        stamp(self.commands, 1);
     }
 
     /// Ends recording; `submit` then only submits, so that the two can be timed apart.
@@ -212,14 +175,6 @@ impl<'a> Recorder<'a> {
         self.finish()?.submit()
     }
 
-    pub(super) fn device(&self) -> &Device {
-        &self.device
-    }
-
-    pub(super) fn raw(&self) -> vk::CommandBuffer {
-        self.commands
-    }
-
     fn transition(&mut self, image: &'a Image, to: ImageUse) {
         let known = self.images.iter_mut().find(|(raw, _)| *raw == image.raw);
         let from = match known {
@@ -232,6 +187,11 @@ impl<'a> Recorder<'a> {
         let range = whole(image.format());
         let images = [barriers::image_barrier(image.raw, range, from, to)];
         self.barrier(&vk::DependencyInfo::default().image_memory_barriers(&images));
+    }
+
+    fn before_copy(&mut self, to: &Buffer) {
+        let buffers = [barriers::before_copy(to.raw)];
+        self.barrier(&vk::DependencyInfo::default().buffer_memory_barriers(&buffers));
     }
 
     fn after_copy(&mut self, to: &Buffer) {
@@ -249,46 +209,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    fn begin_rendering(&mut self, info: &PassInfo) {
-        let mut color = vk::RenderingAttachmentInfo::default()
-            .image_view(info.color.view)
-            .image_layout(vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL)
-            .load_op(vk::AttachmentLoadOp::CLEAR)
-            .store_op(vk::AttachmentStoreOp::STORE);
-        if let Some(resolve) = info.resolve {
-            color = color
-                .resolve_mode(vk::ResolveModeFlags::AVERAGE)
-                .resolve_image_view(resolve.view)
-                .resolve_image_layout(vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL)
-                .store_op(vk::AttachmentStoreOp::DONT_CARE);
-        }
-        // Both clear values are all zero bits: transparent black, and far in reversed depth.
-        let depth = vk::RenderingAttachmentInfo::default()
-            .image_view(info.depth.view)
-            .image_layout(vk::ImageLayout::DEPTH_ATTACHMENT_OPTIMAL)
-            .load_op(vk::AttachmentLoadOp::CLEAR)
-            .store_op(vk::AttachmentStoreOp::DONT_CARE);
-        let area = vk::Rect2D {
-            offset: vk::Offset2D::default(),
-            extent: info.color.extent(),
-        };
-        let colors = [color];
-        let rendering = vk::RenderingInfo::default()
-            .render_area(area)
-            .layer_count(1)
-            .color_attachments(&colors)
-            .depth_attachment(&depth);
-        // SAFETY: the targets are in the layouts named, of one size and sample count.
-        unsafe {
-            let raw = &self.device.raw;
-            raw.cmd_begin_rendering(self.commands, &rendering);
-            raw.cmd_set_viewport(self.commands, 0, &[flipped_viewport(area.extent)]);
-            raw.cmd_set_scissor(self.commands, 0, &[area]);
-        }
-    }
-
     fn begin_label(&mut self, label: &str) {
-        self.device.begin_label(label);
         if let (Some(debug_utils), Ok(label)) = (&self.device.debug_utils, CString::new(label)) {
             let info = vk::DebugUtilsLabelEXT::default().label_name(&label);
             // SAFETY: recording is under way; the name lives until the call returns.
@@ -323,128 +244,9 @@ impl Recorded<'_> {
     /// # Errors
     /// The driver fails, or the device is lost.
     pub fn submit(mut self) -> Result<Vec<PassCounts>, Error> {
-        self.recorder.device.run(self.recorder.commands)?;
-        Ok(std::mem::take(&mut self.recorder.passes))
-    }
-}
-
-/// What a pass has bound; a draw without all of it would be undefined.
-#[derive(Default)]
-struct Bound {
-    pipeline: Option<(usize, vk::PipelineLayout)>,
-    vertex_buffers: usize,
-    set: Option<vk::PipelineLayout>,
-    indices: Option<u64>,
-}
-
-/// A pass in the making.
-pub struct Pass<'r, 'a> {
-    recorder: &'r mut Recorder<'a>,
-    counts: PassCounts,
-    bound: Bound,
-}
-
-impl<'a> Pass<'_, 'a> {
-    /// Binds the pipeline.
-    pub fn bind_pipeline(&mut self, pipeline: &'a Pipeline) {
-        // SAFETY: the pipeline is this device's; the recorder borrows it.
-        unsafe {
-            self.recorder.device.raw.cmd_bind_pipeline(
-                self.recorder.commands,
-                vk::PipelineBindPoint::GRAPHICS,
-                pipeline.raw,
-            );
-        }
-        self.counts.pipeline_binds += 1;
-        let layout = pipeline.layout.pipeline_layout;
-        self.bound.pipeline = Some((pipeline.vertex_buffers(), layout));
-    }
-
-    /// Binds the set.
-    pub fn bind_set(&mut self, set: &'a DescriptorSet) {
-        // SAFETY: the set was made for this layout; the recorder borrows it.
-        unsafe {
-            self.recorder.device.raw.cmd_bind_descriptor_sets(
-                self.recorder.commands,
-                vk::PipelineBindPoint::GRAPHICS,
-                set.layout.pipeline_layout,
-                0,
-                &[set.raw],
-                &[],
-            );
-        }
-        self.counts.descriptor_set_binds += 1;
-        self.bound.set = Some(set.layout.pipeline_layout);
-    }
-
-    /// Binds one buffer an attribute, and the indices.
-    pub fn bind_geometry(&mut self, vertices: &[&'a Buffer], indices: &'a Buffer) {
-        for buffer in vertices {
-            assert_eq!(buffer.usage(), BufferUse::Vertices);
-        }
-        assert_eq!(indices.usage(), BufferUse::Indices);
-        let raw: Vec<_> = vertices.iter().map(|buffer| buffer.raw).collect();
-        let offsets = vec![0; raw.len()];
-        // SAFETY: buffers of the right use, from their start; the recorder borrows them.
-        unsafe {
-            let device = &self.recorder.device.raw;
-            device.cmd_bind_vertex_buffers(self.recorder.commands, 0, &raw, &offsets);
-            device.cmd_bind_index_buffer(
-                self.recorder.commands,
-                indices.raw,
-                0,
-                vk::IndexType::UINT32,
-            );
-        }
-        self.bound.vertex_buffers = vertices.len();
-        self.bound.indices = Some(indices.bytes() / 4);
-    }
-
-    /// Draws a range of the indices, each plus `vertex_offset`, as instance `instance`.
-    /// Vertices and records beyond their buffers read as the device's robust access defines.
-    pub fn draw(&mut self, indices: std::ops::Range<u32>, vertex_offset: i32, instance: u32) {
-        let bound = &self.bound;
-        let wanted = bound.set.map(|layout| (bound.vertex_buffers, layout));
-        assert!(
-            wanted.is_some() && bound.pipeline == wanted,
-            "a pipeline, a set of its layout and its vertex buffers are bound"
-        );
-        let fits = bound
-            .indices
-            .is_some_and(|count| u64::from(indices.end) <= count);
-        assert!(fits, "the index range is in the index buffer");
-        // SAFETY: pipeline, set and buffers are bound; the index range was checked; vertex and
-        // instance fetches are robust (`Device` turns robustBufferAccess on).
-        unsafe {
-            self.recorder.device.raw.cmd_draw_indexed(
-                self.recorder.commands,
-                indices.end.saturating_sub(indices.start),
-                1,
-                indices.start,
-                vertex_offset,
-                instance,
-            );
-        }
-        self.counts.draws += 1;
-    }
-}
-
-fn target_use(image: &Image) -> ImageUse {
-    match image.format() {
-        super::format::Format::Depth32Float => ImageUse::DepthTarget,
-        _ => ImageUse::ColorTarget,
-    }
-}
-
-/// A viewport of negative height: clip space has y up, as the world does, and counter-clockwise
-/// faces stay counter-clockwise.
-fn flipped_viewport(extent: vk::Extent2D) -> vk::Viewport {
-    vk::Viewport {
-        x: 0.0,
-        y: extent.height as f32,
-        width: extent.width as f32,
-        height: -(extent.height as f32),
-        min_depth: 0.0,
-        max_depth: 1.0,
+        let passes = std::mem::take(&mut self.recorder.passes);
+        let last = passes.last().map(|pass| pass.name.clone());
+        self.recorder.device.run(self.recorder.commands, last)?;
+        Ok(passes)
     }
 }

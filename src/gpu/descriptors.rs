@@ -10,23 +10,38 @@ use super::buffer::{Buffer, BufferUse};
 use super::device::Device;
 use super::error::{Error, Named};
 
-/// One binding of the set: its number in the shaders, and what the shaders find there.
+/// What the shaders find at a binding.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Binding {
-    /// The shaders' binding number.
-    pub slot: u32,
-    /// `Uniform` or `Storage`.
-    pub usage: BufferUse,
+pub enum BindingKind {
+    /// A uniform block.
+    Uniform,
+    /// A read-only storage block.
+    Storage,
 }
 
-impl Binding {
-    fn kind(self) -> vk::DescriptorType {
-        match self.usage {
-            BufferUse::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
-            BufferUse::Storage => vk::DescriptorType::STORAGE_BUFFER,
-            other => unreachable!("a binding is a uniform or a storage buffer, not {other:?}"),
+impl BindingKind {
+    fn vulkan(self) -> vk::DescriptorType {
+        match self {
+            Self::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
+            Self::Storage => vk::DescriptorType::STORAGE_BUFFER,
         }
     }
+
+    fn buffer_use(self) -> BufferUse {
+        match self {
+            Self::Uniform => BufferUse::Uniform,
+            Self::Storage => BufferUse::Storage,
+        }
+    }
+}
+
+/// One binding of the set.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Binding {
+    /// The shaders' binding number; no two of a set are alike.
+    pub slot: u32,
+    /// What is there.
+    pub kind: BindingKind,
 }
 
 /// The layout of the set and of the pipelines that use it.
@@ -38,17 +53,33 @@ pub struct SetLayout {
 }
 
 impl SetLayout {
+    pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
+        Arc::ptr_eq(&self.device, device)
+    }
+}
+
+impl SetLayout {
     /// The layout of `bindings`, seen by the vertex and fragment stages.
+    ///
+    /// # Panics
+    /// Two bindings have one slot.
     ///
     /// # Errors
     /// The driver fails.
     pub fn new(device: &Arc<Device>, name: &str, bindings: &[Binding]) -> Result<Arc<Self>, Error> {
+        for (i, binding) in bindings.iter().enumerate() {
+            let before = &bindings[..i];
+            assert!(
+                before.iter().all(|other| other.slot != binding.slot),
+                "{name}: slots"
+            );
+        }
         let entries: Vec<_> = bindings
             .iter()
             .map(|binding| {
                 vk::DescriptorSetLayoutBinding::default()
                     .binding(binding.slot)
-                    .descriptor_type(binding.kind())
+                    .descriptor_type(binding.kind.vulkan())
                     .descriptor_count(1)
                     .stage_flags(vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT)
             })
@@ -95,13 +126,16 @@ impl Drop for SetLayout {
 pub struct DescriptorSet {
     pub(super) raw: vk::DescriptorSet,
     pool: vk::DescriptorPool,
-    pub(super) layout: Arc<SetLayout>,
     // Held, not read: the set points at them.
     _buffers: Vec<Arc<Buffer>>,
+    pub(super) layout: Arc<SetLayout>,
 }
 
 impl DescriptorSet {
     /// A set in which binding `i` of the layout is `buffers[i]`.
+    ///
+    /// # Panics
+    /// A buffer is missing, or of another use or device than its binding.
     ///
     /// # Errors
     /// The driver fails.
@@ -116,12 +150,8 @@ impl DescriptorSet {
             "{name}: one buffer a binding"
         );
         for (buffer, binding) in buffers.iter().zip(&layout.bindings) {
-            assert_eq!(
-                buffer.usage(),
-                binding.usage,
-                "{name}: binding {}",
-                binding.slot
-            );
+            let fits = buffer.usage() == binding.kind.buffer_use() && buffer.is_of(&layout.device);
+            assert!(fits, "{name}: binding {}", binding.slot);
         }
         let device = &layout.device;
         let pool = create_pool(device, &layout.bindings)?;
@@ -139,8 +169,8 @@ impl DescriptorSet {
         let set = Self {
             raw: sets[0],
             pool,
-            layout: Arc::clone(layout),
             _buffers: buffers.to_vec(),
+            layout: Arc::clone(layout),
         };
         device.name(set.raw, name);
         set.point_at(buffers);
@@ -165,7 +195,7 @@ impl DescriptorSet {
                 vk::WriteDescriptorSet::default()
                     .dst_set(self.raw)
                     .dst_binding(binding.slot)
-                    .descriptor_type(binding.kind())
+                    .descriptor_type(binding.kind.vulkan())
                     .buffer_info(info)
             })
             .collect();
@@ -192,7 +222,7 @@ fn create_pool(device: &Device, bindings: &[Binding]) -> Result<vk::DescriptorPo
         .iter()
         .map(|binding| {
             vk::DescriptorPoolSize::default()
-                .ty(binding.kind())
+                .ty(binding.kind.vulkan())
                 .descriptor_count(1)
         })
         .collect();

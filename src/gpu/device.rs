@@ -2,10 +2,14 @@
 
 use std::ffi::CString;
 use std::mem::ManuallyDrop;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ash::vk;
-use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
+use gpu_allocator::MemoryLocation;
+use gpu_allocator::vulkan::{
+    Allocation, AllocationCreateDesc, AllocationScheme, Allocator, AllocatorCreateDesc,
+};
 
 use super::error::{Error, Named};
 use super::format::Samples;
@@ -26,11 +30,13 @@ pub struct Device {
     pub(super) limits: vk::PhysicalDeviceLimits,
     /// Bits of a timestamp that count; 0 where the queue has no clock.
     pub(super) timestamp_bits: u32,
+    /// The largest buffer, and the largest piece of memory behind one.
+    pub(super) max_buffer_bytes: u64,
     pub(super) preserves_nan: bool,
     pub(super) cache_key: CacheKey,
     samples: Vec<Samples>,
     info: DeviceInfo,
-    last_label: Mutex<Option<String>>,
+    pipelines_created: AtomicU64,
     pub(super) instance: Arc<Instance>,
 }
 
@@ -43,11 +49,12 @@ pub(super) struct CacheKey {
 }
 
 impl Device {
-    /// Opens `info`'s device with one graphics queue.
+    /// Opens the device that `info` describes, with one graphics queue.
     ///
     /// # Errors
-    /// The device lacks what Umber needs, or the driver fails.
+    /// The device is not (or no longer) there, it lacks what Umber needs, or the driver fails.
     pub fn open(instance: &Arc<Instance>, info: &DeviceInfo) -> Result<Arc<Self>, Error> {
+        let (physical, info) = instance.find(info)?;
         let unsuitable = |missing: String| Error::Unsuitable {
             device: info.name.clone(),
             missing,
@@ -55,7 +62,6 @@ impl Device {
         if !info.missing.is_empty() {
             return Err(unsuitable(info.missing.join(", ")));
         }
-        let physical = info.handle;
         let (queue_family, family) = requirements::graphics_queue(&instance.raw, physical)
             .ok_or_else(|| unsuitable("a graphics queue".into()))?;
         let raw = create(instance, physical, queue_family)?;
@@ -80,11 +86,12 @@ impl Device {
             queue_family,
             limits: facts.limits,
             timestamp_bits: family.timestamp_valid_bits,
+            max_buffer_bytes: facts.max_buffer_bytes,
             preserves_nan: facts.preserves_nan,
             cache_key: facts.cache_key,
             samples: requirements::sample_counts(&instance.raw, physical),
-            info: info.clone(),
-            last_label: Mutex::new(None),
+            info,
+            pipelines_created: AtomicU64::new(0),
             instance: Arc::clone(instance),
         }))
     }
@@ -112,7 +119,7 @@ impl Device {
         for (what, value, limit) in allowed {
             let limit = limit.min(limits.max_image_dimension2_d);
             if value == 0 || value > limit {
-                return Err(self.beyond(what, u64::from(value), u64::from(limit)));
+                return Err(self.beyond(what.into(), u64::from(value), u64::from(limit)));
             }
         }
         Ok(())
@@ -144,7 +151,16 @@ impl Device {
         self.limits.sub_pixel_precision_bits
     }
 
-    pub(super) fn beyond(&self, what: &'static str, value: u64, limit: u64) -> Error {
+    /// How many pipelines were made on it so far.
+    pub fn pipelines_created(&self) -> u64 {
+        self.pipelines_created.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn count_pipeline(&self) {
+        self.pipelines_created.fetch_add(1, Ordering::Relaxed);
+    }
+
+    pub(super) fn beyond(&self, what: String, value: u64, limit: u64) -> Error {
         Error::BeyondLimit {
             what,
             value,
@@ -160,6 +176,47 @@ impl Device {
             .unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Memory for a resource of these requirements.
+    pub(super) fn allocate(
+        &self,
+        name: &str,
+        requirements: vk::MemoryRequirements,
+        location: MemoryLocation,
+        linear: bool,
+    ) -> Result<Allocation, Error> {
+        let description = AllocationCreateDesc {
+            name,
+            requirements,
+            location,
+            linear,
+            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
+        };
+        self.allocator()
+            .allocate(&description)
+            .map_err(|error| Error::Memory {
+                what: name.to_owned(),
+                bytes: requirements.size,
+                reason: error.to_string(),
+            })
+    }
+
+    /// The memory, if it could be bound; else it is freed.
+    pub(super) fn keep_if(
+        &self,
+        bound: Result<(), vk::Result>,
+        allocation: Allocation,
+        call: &'static str,
+    ) -> Result<Allocation, Error> {
+        match bound.named(call) {
+            Ok(()) => Ok(allocation),
+            Err(error) => {
+                // The caller hears of the failed bind; a failed free on top of it adds nothing.
+                let _ = self.allocator().free(allocation);
+                Err(error)
+            }
+        }
+    }
+
     /// Names an object for captures and validation messages; nothing where the extension is absent.
     pub(super) fn name<T: vk::Handle>(&self, object: T, name: &str) {
         let (Some(debug_utils), Ok(name)) = (&self.debug_utils, CString::new(name)) else {
@@ -172,41 +229,35 @@ impl Device {
         let _ = unsafe { debug_utils.set_debug_utils_object_name(&info) };
     }
 
-    /// Submits `commands` and waits until the device has done them.
-    pub(super) fn run(&self, commands: vk::CommandBuffer) -> Result<(), Error> {
+    /// Submits `commands` and waits until the device has done them. `last` is the last pass in them,
+    /// for the message if the device is lost.
+    pub(super) fn run(
+        &self,
+        commands: vk::CommandBuffer,
+        last: Option<String>,
+    ) -> Result<(), Error> {
         let fence = Fence::new(self)?;
+        let done = self.submit(commands, &fence).and_then(|()| {
+            // SAFETY: the fence is this device's and was just submitted.
+            unsafe { self.raw.wait_for_fences(&[fence.raw], true, u64::MAX) }
+                .named("vkWaitForFences")
+        });
+        done.map_err(|error| {
+            // Whatever failed, nothing may be destroyed while the device uses it. A device that
+            // cannot be waited for is lost, and uses nothing.
+            // SAFETY: the queue is not in use: this thread holds nothing of it, and submissions lock.
+            let _ = unsafe { self.raw.device_wait_idle() };
+            error.during(last)
+        })
+    }
+
+    fn submit(&self, commands: vk::CommandBuffer, fence: &Fence) -> Result<(), Error> {
         let infos = [vk::CommandBufferSubmitInfo::default().command_buffer(commands)];
         let submit = [vk::SubmitInfo2::default().command_buffer_infos(&infos)];
-        {
-            let queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
-            // SAFETY: the lock is the queue's external synchronisation; `commands` is recorded and
-            // ended, and its owner borrows all that it uses until this function returns.
-            unsafe { self.raw.queue_submit2(*queue, &submit, fence.raw) }
-                .map_err(|result| self.lost(result, "vkQueueSubmit2"))?;
-        }
-        // SAFETY: the fence is this device's and was just submitted.
-        unsafe { self.raw.wait_for_fences(&[fence.raw], true, u64::MAX) }
-            .map_err(|result| self.lost(result, "vkWaitForFences"))
-    }
-
-    /// Remembers the last scope begun, so that a lost device says where it was.
-    pub(super) fn begin_label(&self, label: &str) {
-        *self
-            .last_label
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner) = Some(label.to_owned());
-    }
-
-    fn lost(&self, result: vk::Result, call: &'static str) -> Error {
-        let label = self
-            .last_label
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        Error::Call {
-            call,
-            result: super::error::VulkanResult(result),
-            label: label.clone(),
-        }
+        let queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
+        // SAFETY: the lock is the queue's external synchronisation; `commands` is recorded and
+        // ended, and its owner borrows all that it uses until `run` returns.
+        unsafe { self.raw.queue_submit2(*queue, &submit, fence.raw) }.named("vkQueueSubmit2")
     }
 }
 
@@ -225,6 +276,7 @@ impl Drop for Device {
 /// What is asked of the physical device once.
 struct Facts {
     limits: vk::PhysicalDeviceLimits,
+    max_buffer_bytes: u64,
     preserves_nan: bool,
     cache_key: CacheKey,
 }
@@ -232,7 +284,12 @@ struct Facts {
 impl Facts {
     fn read(instance: &Instance, physical: vk::PhysicalDevice) -> Self {
         let mut controls = vk::PhysicalDeviceFloatControlsProperties::default();
-        let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut controls);
+        let mut maintenance_3 = vk::PhysicalDeviceMaintenance3Properties::default();
+        let mut maintenance_4 = vk::PhysicalDeviceMaintenance4Properties::default();
+        let mut properties = vk::PhysicalDeviceProperties2::default()
+            .push_next(&mut controls)
+            .push_next(&mut maintenance_3)
+            .push_next(&mut maintenance_4);
         // SAFETY: `physical` is this instance's; the chain lives until the call returns.
         unsafe {
             instance
@@ -242,6 +299,9 @@ impl Facts {
         let core = properties.properties;
         Self {
             limits: core.limits,
+            max_buffer_bytes: maintenance_4
+                .max_buffer_size
+                .min(maintenance_3.max_memory_allocation_size),
             preserves_nan: controls.shader_signed_zero_inf_nan_preserve_float32 == vk::TRUE,
             cache_key: CacheKey {
                 vendor: core.vendor_id,
@@ -263,7 +323,9 @@ fn create(
         .queue_priorities(&priorities)];
     // Robust access makes every fetch through an index defined, whatever the index: without it, a
     // safe function could not take one.
-    let core = vk::PhysicalDeviceFeatures::default().robust_buffer_access(true);
+    let core = vk::PhysicalDeviceFeatures::default()
+        .robust_buffer_access(true)
+        .full_draw_index_uint32(true);
     let mut core_13 = vk::PhysicalDeviceVulkan13Features::default()
         .dynamic_rendering(true)
         .synchronization2(true);

@@ -43,7 +43,7 @@ pub enum Error {
     #[error("{what} is {value}, but {device} allows at most {limit}")]
     BeyondLimit {
         /// What was asked for.
-        what: &'static str,
+        what: String,
         /// How much of it.
         value: u64,
         /// The device's limit.
@@ -62,14 +62,14 @@ pub enum Error {
         device: String,
     },
     /// A Vulkan call failed.
-    #[error("{call} failed: {result}{}", after(.label))]
+    #[error("{call} failed: {result}{}", during(.pass))]
     Call {
         /// The call's Vulkan name.
         call: &'static str,
         /// Its result.
         result: VulkanResult,
-        /// The last labelled scope that was begun, if any.
-        label: Option<String>,
+        /// The last pass of what was submitted, if any.
+        pass: Option<String>,
     },
     /// The allocator failed.
     #[error("no memory for {what} ({bytes} bytes): {reason}")]
@@ -112,9 +112,19 @@ pub fn install_line() -> &'static str {
     }
 }
 
-fn after(label: &Option<String>) -> String {
-    match label {
-        Some(label) => format!(" (the last scope begun was '{label}')"),
+impl Error {
+    /// The same error, with the pass that was under way.
+    pub(super) fn during(mut self, last: Option<String>) -> Self {
+        if let Self::Call { pass, .. } = &mut self {
+            *pass = last;
+        }
+        self
+    }
+}
+
+fn during(pass: &Option<String>) -> String {
+    match pass {
+        Some(pass) => format!(" (in a submission that ends with the pass '{pass}')"),
         None => String::new(),
     }
 }
@@ -129,7 +139,7 @@ impl<T> Named<T> for Result<T, ash::vk::Result> {
         self.map_err(|result| Error::Call {
             call,
             result: VulkanResult(result),
-            label: None,
+            pass: None,
         })
     }
 }

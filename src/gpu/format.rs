@@ -1,32 +1,28 @@
-//! Which formats, sample counts and uses of memory does Umber know?
+//! Which formats and sample counts does Umber know?
 
 use ash::vk;
 
-/// The texel and vertex formats in use.
+/// The texel formats of render targets.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Format {
-    /// Four floats: the colour target.
+pub enum TargetFormat {
+    /// Red, green, blue, alpha as 32-bit floats.
     Rgba32Float,
-    /// Three floats: positions and normals.
-    Rgb32Float,
-    /// One float of depth.
+    /// Depth as a 32-bit float.
     Depth32Float,
 }
 
-impl Format {
+impl TargetFormat {
     pub(super) fn vulkan(self) -> vk::Format {
         match self {
             Self::Rgba32Float => vk::Format::R32G32B32A32_SFLOAT,
-            Self::Rgb32Float => vk::Format::R32G32B32_SFLOAT,
             Self::Depth32Float => vk::Format::D32_SFLOAT,
         }
     }
 
-    /// Size of one texel or vertex attribute.
-    pub fn bytes(self) -> u32 {
+    /// Size of one texel.
+    pub fn bytes(self) -> u64 {
         match self {
             Self::Rgba32Float => 16,
-            Self::Rgb32Float => 12,
             Self::Depth32Float => 4,
         }
     }
@@ -34,7 +30,29 @@ impl Format {
     pub(super) fn aspect(self) -> vk::ImageAspectFlags {
         match self {
             Self::Depth32Float => vk::ImageAspectFlags::DEPTH,
-            Self::Rgba32Float | Self::Rgb32Float => vk::ImageAspectFlags::COLOR,
+            Self::Rgba32Float => vk::ImageAspectFlags::COLOR,
+        }
+    }
+}
+
+/// The formats of vertex attributes; a buffer of them is tightly packed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum VertexFormat {
+    /// Three 32-bit floats.
+    Rgb32Float,
+}
+
+impl VertexFormat {
+    pub(super) fn vulkan(self) -> vk::Format {
+        match self {
+            Self::Rgb32Float => vk::Format::R32G32B32_SFLOAT,
+        }
+    }
+
+    /// Size of one attribute.
+    pub fn bytes(self) -> u32 {
+        match self {
+            Self::Rgb32Float => 12,
         }
     }
 }

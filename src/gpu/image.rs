@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use ash::vk;
 use gpu_allocator::MemoryLocation;
-use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
+use gpu_allocator::vulkan::Allocation;
 
 use super::device::Device;
 use super::error::{Error, Named};
-use super::format::{Format, Samples};
+use super::format::{Samples, TargetFormat};
 
 /// What an image is: all that tells one render target from another.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +17,7 @@ pub struct ImageInfo<'a> {
     /// Its role, for captures and messages.
     pub name: &'a str,
     /// Texel format.
-    pub format: Format,
+    pub format: TargetFormat,
     /// Width, pixels.
     pub width: u32,
     /// Height, pixels.
@@ -31,7 +31,7 @@ pub struct Image {
     pub(super) raw: vk::Image,
     pub(super) view: vk::ImageView,
     allocation: ManuallyDrop<Allocation>,
-    format: Format,
+    format: TargetFormat,
     width: u32,
     height: u32,
     samples: Samples,
@@ -46,7 +46,7 @@ impl Image {
     pub fn new(device: &Arc<Device>, info: &ImageInfo) -> Result<Self, Error> {
         device.check_target_size(info.width, info.height)?;
         device.check_samples(info.samples)?;
-        // SAFETY: size, format and samples were checked against the device.
+        // SAFETY: size and samples were checked against the device, and `requirements` found the formats.
         let raw =
             unsafe { device.raw.create_image(&create_info(info), None) }.named("vkCreateImage")?;
         let destroy = || {
@@ -77,8 +77,12 @@ impl Image {
         })
     }
 
+    pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
+        Arc::ptr_eq(&self.device, device)
+    }
+
     /// Texel format.
-    pub fn format(&self) -> Format {
+    pub fn format(&self) -> TargetFormat {
         self.format
     }
 
@@ -94,7 +98,7 @@ impl Image {
 
     /// Size of the texels of one sample, tightly packed.
     pub fn bytes(&self) -> u64 {
-        u64::from(self.width) * u64::from(self.height) * u64::from(self.format.bytes())
+        u64::from(self.width) * u64::from(self.height) * self.format.bytes()
     }
 
     pub(super) fn extent(&self) -> vk::Extent2D {
@@ -121,11 +125,11 @@ impl Drop for Image {
 
 fn create_info(info: &ImageInfo) -> vk::ImageCreateInfo<'static> {
     let attachment = match info.format {
-        Format::Depth32Float => vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT,
+        TargetFormat::Depth32Float => vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT,
         _ => vk::ImageUsageFlags::COLOR_ATTACHMENT,
     };
     let readable = match (info.format, info.samples) {
-        (Format::Rgba32Float, Samples::One) => vk::ImageUsageFlags::TRANSFER_SRC,
+        (TargetFormat::Rgba32Float, Samples::One) => vk::ImageUsageFlags::TRANSFER_SRC,
         _ => vk::ImageUsageFlags::empty(),
     };
     vk::ImageCreateInfo::default()
@@ -159,7 +163,7 @@ fn create_view(
 }
 
 /// The one level and layer that a render target has.
-pub(super) fn whole(format: Format) -> vk::ImageSubresourceRange {
+pub(super) fn whole(format: TargetFormat) -> vk::ImageSubresourceRange {
     vk::ImageSubresourceRange {
         aspect_mask: format.aspect(),
         base_mip_level: 0,
@@ -172,30 +176,12 @@ pub(super) fn whole(format: Format) -> vk::ImageSubresourceRange {
 fn allocate(device: &Device, info: &ImageInfo, image: vk::Image) -> Result<Allocation, Error> {
     // SAFETY: the image is this device's.
     let requirements = unsafe { device.raw.get_image_memory_requirements(image) };
-    let mut allocator = device.allocator();
-    let allocation = allocator
-        .allocate(&AllocationCreateDesc {
-            name: info.name,
-            requirements,
-            location: MemoryLocation::GpuOnly,
-            linear: false,
-            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
-        })
-        .map_err(|error| Error::Memory {
-            what: info.name.to_owned(),
-            bytes: requirements.size,
-            reason: error.to_string(),
-        })?;
+    let allocation = device.allocate(info.name, requirements, MemoryLocation::GpuOnly, false)?;
     // SAFETY: memory of the image's own requirements, bound once.
     let bound = unsafe {
         device
             .raw
             .bind_image_memory(image, allocation.memory(), allocation.offset())
     };
-    if let Err(result) = bound {
-        // The caller hears of the failed bind; a failed free on top of it adds nothing.
-        let _ = allocator.free(allocation);
-        return Err(result).named("vkBindImageMemory");
-    }
-    Ok(allocation)
+    device.keep_if(bound, allocation, "vkBindImageMemory")
 }

@@ -94,6 +94,25 @@ impl Instance {
             .collect())
     }
 
+    /// The device that `info` describes, asked anew: a description may be older than the instance.
+    pub(super) fn find(
+        &self,
+        info: &DeviceInfo,
+    ) -> Result<(vk::PhysicalDevice, DeviceInfo), Error> {
+        // SAFETY: the instance is alive.
+        let handles =
+            unsafe { self.raw.enumerate_physical_devices() }.named("vkEnumeratePhysicalDevices")?;
+        handles
+            .into_iter()
+            .enumerate()
+            .map(|(index, handle)| (handle, self.describe(index, handle)))
+            .find(|(_, found)| (found.index, found.uuid) == (info.index, info.uuid))
+            .ok_or_else(|| Error::NoSuchDevice {
+                wanted: info.name.clone(),
+                available: "  it is no longer there".into(),
+            })
+    }
+
     fn describe(&self, index: usize, handle: vk::PhysicalDevice) -> DeviceInfo {
         let mut driver = vk::PhysicalDeviceDriverProperties::default();
         let mut ids = vk::PhysicalDeviceIDProperties::default();
@@ -119,7 +138,6 @@ impl Instance {
             ),
             uuid: ids.device_uuid,
             missing: super::requirements::missing(&self.raw, handle, core.api_version),
-            handle,
         }
     }
 
@@ -180,8 +198,8 @@ fn offers_debug_utils(entry: &ash::Entry, validation: Validation) -> Result<bool
         };
     }
     // SAFETY: as above.
-    let extensions =
-        unsafe { entry.enumerate_instance_extension_properties(None) }.map_err(no_driver)?;
+    let extensions = unsafe { entry.enumerate_instance_extension_properties(None) }
+        .named("vkEnumerateInstanceExtensionProperties")?;
     Ok(extensions
         .iter()
         .any(|extension| extension.extension_name_as_c_str() == Ok(ash::ext::debug_utils::NAME)))
@@ -200,6 +218,10 @@ fn create(
     let mut extensions = Vec::new();
     if has_debug_utils {
         extensions.push(ash::ext::debug_utils::NAME.as_ptr());
+    }
+    if validation == Validation::On {
+        // The layer's own, so it is there when the layer is.
+        extensions.push(ash::ext::validation_features::NAME.as_ptr());
     }
     let layers = [VALIDATION_LAYER.as_ptr()];
     let enabled = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
@@ -227,7 +249,7 @@ fn no_driver(result: vk::Result) -> Error {
         result => Error::Call {
             call: "vkCreateInstance",
             result: VulkanResult(result),
-            label: None,
+            pass: None,
         },
     }
 }

@@ -1,8 +1,10 @@
 //! How does the rest of the program use Vulkan without `unsafe`?
 //!
 //! The only floor that knows ash. What it hands out is safe: every object holds an `Arc` of what it
-//! was made from, a recorder borrows what it uses until the device is idle, and every count, size
-//! and index that reaches Vulkan is checked or made harmless by robust buffer access.
+//! was made from, a recorder borrows what it uses until the device is idle, sizes and counts are checked
+//! against the device, and robust buffer access makes every fetch through an index defined. What only
+//! a mistake of the program's own could break (buffers of two devices, a pass without its targets) is
+//! asserted.
 //!
 //! ```text
 //! Instance <- Device <- Buffer, Image, SetLayout, PipelineCache, Timestamps, Recorder
@@ -21,6 +23,7 @@ mod error;
 mod format;
 mod image;
 mod instance;
+mod pass;
 mod pipeline;
 mod pipeline_cache;
 pub mod requirements;
@@ -33,14 +36,15 @@ mod validation;
 
 pub use buffer::{Buffer, BufferUse};
 pub use canary::Canary;
-pub use commands::{Pass, PassCounts, PassInfo, Recorded, Recorder};
-pub use descriptors::{Binding, DescriptorSet, SetLayout};
+pub use commands::{Recorded, Recorder};
+pub use descriptors::{Binding, BindingKind, DescriptorSet, SetLayout};
 pub use device::Device;
 pub use error::{Error, VulkanResult, install_line};
-pub use format::{Format, Samples};
+pub use format::{Samples, TargetFormat, VertexFormat};
 pub use image::{Image, ImageInfo};
 pub use instance::{API_VERSION, Instance, Validation};
-pub use pipeline::{Attribute, Constant, Pipeline, PipelineInfo};
+pub use pass::{Pass, PassCounts, PassInfo};
+pub use pipeline::{Attribute, Constant, Pipeline, PipelineInfo, Spirv, Targets};
 pub use pipeline_cache::PipelineCache;
 pub use selection::{DeviceInfo, DeviceKind, DeviceSelector, choose};
 pub use survey::driver_files;

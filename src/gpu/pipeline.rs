@@ -7,7 +7,7 @@ use ash::vk;
 use super::descriptors::SetLayout;
 use super::device::Device;
 use super::error::{Error, Named};
-use super::format::{Format, Samples};
+use super::format::{Samples, TargetFormat, VertexFormat};
 use super::pipeline_cache::PipelineCache;
 use super::spirv;
 
@@ -17,7 +17,7 @@ pub struct Attribute {
     /// The shader's location.
     pub location: u32,
     /// Its format; the buffer is tightly packed.
-    pub format: Format,
+    pub format: VertexFormat,
 }
 
 /// A specialization constant and its value.
@@ -29,25 +29,37 @@ pub struct Constant {
     pub value: i32,
 }
 
+/// Words that the shader builder made, and validated with both of its compilers. Only this crate
+/// makes one: a driver may do anything with words that are no SPIR-V.
+#[derive(Clone, Copy, Debug)]
+pub struct Spirv(pub(crate) &'static [u32]);
+
+/// What a pipeline draws to.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Targets {
+    /// Colour.
+    pub color: TargetFormat,
+    /// Depth.
+    pub depth: TargetFormat,
+    /// Samples a pixel of both.
+    pub samples: Samples,
+}
+
 /// Everything that makes a graphics pipeline; what is not here is the same for all of them.
 #[derive(Clone, Copy, Debug)]
 pub struct PipelineInfo<'a> {
     /// Shader and variant, for captures and messages: `surface[lighting=slides]`.
     pub name: &'a str,
     /// SPIR-V of the vertex stage.
-    pub vertex: &'a [u32],
+    pub vertex: Spirv,
     /// SPIR-V of the fragment stage.
-    pub fragment: &'a [u32],
+    pub fragment: Spirv,
     /// Vertex attributes; attribute `i` comes from vertex buffer `i`.
     pub attributes: &'a [Attribute],
     /// Values for both stages.
     pub constants: &'a [Constant],
-    /// Colour target.
-    pub color: Format,
-    /// Depth target.
-    pub depth: Format,
-    /// Samples a pixel of both.
-    pub samples: Samples,
+    /// What it draws to.
+    pub targets: Targets,
 }
 
 /// A graphics pipeline; it holds the layout that it was made for.
@@ -59,6 +71,7 @@ pub struct Pipeline {
     pub(super) raw: vk::Pipeline,
     pub(super) layout: Arc<SetLayout>,
     attributes: usize,
+    targets: Targets,
     device: Arc<Device>,
 }
 
@@ -74,16 +87,33 @@ impl Pipeline {
         cache: &PipelineCache,
         info: &PipelineInfo,
     ) -> Result<Self, Error> {
+        assert!(
+            layout.is_of(device) && cache.is_of(device),
+            "{}: device",
+            info.name
+        );
+        let limit = device.limits.max_vertex_input_bindings as usize;
+        assert!(info.attributes.len() <= limit, "{}: attributes", info.name);
         let vertex = Module::new(device, info.vertex, info.name)?;
         let fragment = Module::new(device, info.fragment, info.name)?;
         let raw = create(device, layout, cache, info, &vertex, &fragment)?;
         device.name(raw, info.name);
+        device.count_pipeline();
         Ok(Self {
             raw,
             layout: Arc::clone(layout),
             attributes: info.attributes.len(),
+            targets: info.targets,
             device: Arc::clone(device),
         })
+    }
+
+    pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
+        Arc::ptr_eq(&self.device, device)
+    }
+
+    pub(super) fn targets(&self) -> Targets {
+        self.targets
     }
 
     /// How many vertex buffers it reads.
@@ -106,7 +136,7 @@ struct Module<'a> {
 }
 
 impl<'a> Module<'a> {
-    fn new(device: &'a Device, words: &[u32], name: &str) -> Result<Self, Error> {
+    fn new(device: &'a Device, Spirv(words): Spirv, name: &str) -> Result<Self, Error> {
         let preserved;
         let words = if device.preserves_nan {
             preserved = spirv::preserve_nan(words);
@@ -163,16 +193,16 @@ fn create(
         .scissor_count(1);
     let raster = two_sided();
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
-        .rasterization_samples(info.samples.vulkan());
+        .rasterization_samples(info.targets.samples.vulkan());
     let depth = reversed_depth();
     let attachments = [premultiplied()];
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
     let dynamic_states = [vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR];
     let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&dynamic_states);
-    let colors = [info.color.vulkan()];
+    let colors = [info.targets.color.vulkan()];
     let mut rendering = vk::PipelineRenderingCreateInfo::default()
         .color_attachment_formats(&colors)
-        .depth_attachment_format(info.depth.vulkan());
+        .depth_attachment_format(info.targets.depth.vulkan());
     let pipeline = vk::GraphicsPipelineCreateInfo::default()
         .stages(&stages)
         .vertex_input_state(&vertex_input)

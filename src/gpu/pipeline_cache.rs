@@ -33,22 +33,22 @@ impl PipelineCache {
     pub fn open(device: &Arc<Device>, folder: Option<&Path>) -> Result<Self, Error> {
         let file = folder.map(|folder| folder.join(file_name(&device.cache_key)));
         let content = file.as_deref().and_then(read).unwrap_or_default();
-        let info = vk::PipelineCacheCreateInfo::default().initial_data(&content);
-        // SAFETY: the data passed its checksum, so it is what a driver of this device wrote.
-        let raw = unsafe { device.raw.create_pipeline_cache(&info, None) }
-            .named("vkCreatePipelineCache")?;
+        // A driver that refuses what an earlier version of it wrote starts from nothing.
+        let (raw, loaded) = match create(device, &content) {
+            Ok(raw) => (raw, content.len()),
+            Err(_) => (create(device, &[]).named("vkCreatePipelineCache")?, 0),
+        };
         device.name(raw, "pipeline cache");
         Ok(Self {
             raw: Mutex::new(raw),
             file,
-            loaded: content.len(),
+            loaded,
             device: Arc::clone(device),
         })
     }
 
-    /// Bytes that came from the file; 0 for a cold start.
-    pub fn loaded_bytes(&self) -> usize {
-        self.loaded
+    pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
+        Arc::ptr_eq(&self.device, device)
     }
 
     /// Writes the cache back, whole or not at all, where its content changed in size. A cache that
@@ -76,6 +76,12 @@ impl Drop for PipelineCache {
         // SAFETY: pipelines do not need the cache once they exist, and nobody else has it.
         self.with_raw(|raw| unsafe { self.device.raw.destroy_pipeline_cache(raw, None) });
     }
+}
+
+fn create(device: &Device, content: &[u8]) -> Result<vk::PipelineCache, vk::Result> {
+    let info = vk::PipelineCacheCreateInfo::default().initial_data(content);
+    // SAFETY: the data is empty or passed its checksum, so that a driver of this device wrote it.
+    unsafe { device.raw.create_pipeline_cache(&info, None) }
 }
 
 fn file_name(key: &CacheKey) -> String {

@@ -5,12 +5,12 @@
 
 use ash::vk;
 
-use super::format::{Format, Samples};
+use super::format::{Samples, TargetFormat};
 
 /// The colour target of the physics: 16-bit floats overflow at a mirror's peak.
-pub const COLOR: Format = Format::Rgba32Float;
+pub const COLOR: TargetFormat = TargetFormat::Rgba32Float;
 /// The depth target; a float keeps its precision where reversed depth puts the far plane.
-pub const DEPTH: Format = Format::Depth32Float;
+pub const DEPTH: TargetFormat = TargetFormat::Depth32Float;
 
 /// What `device` lacks, in Vulkan's words; empty for a suitable device.
 pub(super) fn missing(
@@ -42,11 +42,13 @@ fn missing_features(instance: &ash::Instance, device: vk::PhysicalDevice) -> Vec
     let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut core_13);
     // SAFETY: `device` comes from `instance`; the chain lives until the call returns.
     unsafe { instance.get_physical_device_features2(device, &mut features) };
-    let robust = features.features.robust_buffer_access;
+    let core = features.features;
     [
         (core_13.dynamic_rendering, "dynamicRendering"),
         (core_13.synchronization2, "synchronization2"),
-        (robust, "robustBufferAccess"),
+        (core.robust_buffer_access, "robustBufferAccess"),
+        // Ten million triangles have more vertices than 2^24 - 1, all that is promised without it.
+        (core.full_draw_index_uint32, "fullDrawIndexUint32"),
     ]
     .into_iter()
     .filter(|(present, _)| *present == vk::FALSE)
@@ -79,7 +81,7 @@ fn has_format(
 
 /// The sample counts that colour and depth targets both have.
 pub(super) fn sample_counts(instance: &ash::Instance, device: vk::PhysicalDevice) -> Vec<Samples> {
-    let of = |format: Format, usage| {
+    let of = |format: TargetFormat, usage| {
         // SAFETY: `device` comes from `instance`.
         unsafe {
             instance.get_physical_device_image_format_properties(

@@ -63,7 +63,6 @@ pub struct DeviceInfo {
     pub uuid: [u8; 16],
     /// What it lacks to run Umber; empty for a suitable device.
     pub missing: Vec<String>,
-    pub(super) handle: vk::PhysicalDevice,
 }
 
 impl DeviceInfo {
@@ -215,7 +214,6 @@ mod tests {
             api: (1, 3, 0),
             uuid: [index as u8; 16],
             missing: Vec::new(),
-            handle: vk::PhysicalDevice::null(),
         }
     }
 

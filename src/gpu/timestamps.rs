@@ -36,19 +36,23 @@ impl Timestamps {
         }))
     }
 
-    /// Milliseconds between the two stamps of the last submission.
+    pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
+        Arc::ptr_eq(&self.device, device)
+    }
+
+    /// Milliseconds between the two stamps of the last submission that was `timed`.
     ///
     /// # Errors
-    /// The driver fails.
+    /// There was none, or the driver fails.
     pub fn elapsed_ms(&self) -> Result<f64, Error> {
         let mut ticks = [0_u64; 2];
-        // SAFETY: two 64-bit results fit; the submission that wrote them was waited for.
+        // SAFETY: two 64-bit results fit; without WAIT a query that was never written is an error.
         unsafe {
             self.device.raw.get_query_pool_results(
                 self.pool,
                 0,
                 &mut ticks,
-                vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT,
+                vk::QueryResultFlags::TYPE_64,
             )
         }
         .named("vkGetQueryPoolResults")?;

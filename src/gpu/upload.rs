@@ -82,7 +82,7 @@ impl Upload {
             return Ok(());
         }
         let mut recorder = Recorder::new(&self.device, "upload")?;
-        recorder.copy_buffer(&self.staging, &self.buffer, self.copied, self.staged);
+        recorder.copy_buffer(&self.staging, &mut self.buffer, self.copied, self.staged);
         recorder.submit()?;
         self.copied += self.staged;
         self.staged = 0;

@@ -33,15 +33,15 @@ pub struct DrawList {
     pub sorted_indices: Vec<u32>,
 }
 
-/// More vertices or indices than a 32-bit number counts.
+/// More vertices or indices than a draw's signed 32-bit offset reaches.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the scene has {0} {1}, and at most {max} fit", max = u32::MAX)]
+#[error("the scene has {0} {1}, and at most {max} can be drawn", max = i32::MAX)]
 pub struct TooMany(u64, &'static str);
 
 /// The draws of a scene.
 ///
 /// # Errors
-/// More indices or vertices than 32 bits count.
+/// More indices or vertices than can be drawn.
 pub fn draw_list(scene: &Scene) -> Result<DrawList, TooMany> {
     let mesh_indices = starts(scene, "indices", |mesh| mesh.indices.len())?;
     let mesh_vertices = starts(scene, "vertices", |mesh| mesh.positions.len())?;
@@ -70,7 +70,9 @@ pub fn draw_list(scene: &Scene) -> Result<DrawList, TooMany> {
     for (instance, object) in transparent {
         let sorted = far_to_near(scene, object);
         let end = u64::from(next) + sorted.len() as u64;
-        let end = u32::try_from(end).map_err(|_| TooMany(end, "indices"))?;
+        let end = i32::try_from(end)
+            .map_err(|_| TooMany(end, "indices"))?
+            .cast_unsigned();
         list.draws.push(Draw {
             indices: next..end,
             vertex_offset: vertex_offset(object),

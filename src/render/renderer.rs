@@ -6,46 +6,26 @@ use std::time::Instant;
 
 use super::draw_list::{Draw, TooMany, draw_list};
 use super::picture::Picture;
-use super::scene_buffers::SceneBuffers;
-use super::shading_pass;
+use super::scene_buffers::{BINDINGS, SceneBuffers};
+use super::shading_pass::Shading;
 use super::targets::Targets;
 use super::variant::Variant;
 use crate::gpu::{
-    self, Attribute, Binding, BufferUse, DescriptorSet, Device, Format, PassCounts, Pipeline,
-    PipelineCache, PipelineInfo, Recorder, Samples, SetLayout, Timestamps, requirements,
+    self, Attribute, Buffer, Device, PassCounts, Pipeline, PipelineCache, PipelineInfo, Recorder,
+    Samples, SetLayout, Spirv, Timestamps, VertexFormat, requirements,
 };
-use crate::interface::reflected::{bindings, vertex_inputs};
+use crate::interface::reflected::vertex_inputs;
 use crate::interface::spirv;
 use crate::scene::Scene;
-
-/// The one set: everything that a material, an object, a light or a frame is, is data here.
-const BINDINGS: [Binding; 4] = [
-    Binding {
-        slot: bindings::FrameBlock,
-        usage: BufferUse::Uniform,
-    },
-    Binding {
-        slot: bindings::InstanceBlock,
-        usage: BufferUse::Storage,
-    },
-    Binding {
-        slot: bindings::MaterialBlock,
-        usage: BufferUse::Storage,
-    },
-    Binding {
-        slot: bindings::LightBlock,
-        usage: BufferUse::Storage,
-    },
-];
 
 const ATTRIBUTES: [Attribute; 2] = [
     Attribute {
         location: vertex_inputs::in_position,
-        format: Format::Rgb32Float,
+        format: VertexFormat::Rgb32Float,
     },
     Attribute {
         location: vertex_inputs::in_normal,
-        format: Format::Rgb32Float,
+        format: VertexFormat::Rgb32Float,
     },
 ];
 
@@ -69,23 +49,27 @@ pub struct FrameReport {
     pub passes: Vec<PassCounts>,
     /// Pipelines made for this frame.
     pub pipelines_created: u64,
-    /// Making the pipeline and drawing one triangle with it, which is when some drivers compile.
+    /// Making the pipeline and drawing one triangle with it, which is when some drivers compile; 0 for
+    /// a pipeline that was there.
     pub first_draw_ms: f64,
     /// Recording the frame.
     pub record_ms: f64,
-    /// From its submission until the device is idle.
+    /// From its submission until the device is idle; the copy to the host included.
     pub submit_to_idle_ms: f64,
-    /// Between the device's timestamps around it; absent where the queue has no clock.
+    /// Between the device's timestamps around its passes; absent where the queue has no clock.
     pub gpu_ms: Option<f64>,
 }
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
-    /// The device.
+    /// The device cannot, or cannot at this size.
     #[error(transparent)]
     Gpu(#[from] gpu::Error),
-    /// The scene is too large.
+    /// The scene is beyond the device.
+    #[error("the scene is too large: {0}")]
+    Scene(gpu::Error),
+    /// The scene is beyond any device.
     #[error(transparent)]
     TooMany(#[from] TooMany),
 }
@@ -135,32 +119,35 @@ impl Renderer {
             samples,
             variant,
         } = *settings;
-        let targets = Targets::new(&self.device, width, height, samples)?;
         let list = draw_list(scene)?;
+        let targets = Targets::new(&self.device, width, height, samples)?;
+        let mut readback = targets.readback(&self.device)?;
         let aspect = width as f32 / height as f32;
-        let buffers = SceneBuffers::new(&self.device, scene, &list, aspect)?;
-        let set = DescriptorSet::new(
-            &self.layout,
-            "the set",
-            &[
-                Arc::clone(&buffers.frame),
-                Arc::clone(&buffers.instances),
-                Arc::clone(&buffers.materials),
-                Arc::clone(&buffers.lights),
-            ],
-        )?;
+        let buffers =
+            SceneBuffers::new(&self.device, scene, &list, aspect).map_err(RenderError::Scene)?;
+        let set = buffers.set(&self.layout)?;
         let before = Instant::now();
+        let pipelines_before = self.device.pipelines_created();
         let (pipeline, is_new) = self.pipeline(variant, samples)?;
+        let shading = Shading {
+            targets: &targets,
+            pipeline: &pipeline,
+            set: &set,
+            scene: &buffers,
+        };
         if is_new {
-            self.first_draw(&targets, &pipeline, &set, &buffers, &list.draws)?;
+            self.first_draw(&shading, &list.draws)?;
+        }
+        let first_draw_ms = milliseconds_since(before);
+        if is_new {
             self.cache.save();
         }
         let report = FrameReport {
-            pipelines_created: u64::from(is_new),
-            first_draw_ms: milliseconds_since(before),
-            ..self.frame(&targets, &pipeline, &set, &buffers, &list.draws)?
+            pipelines_created: self.device.pipelines_created() - pipelines_before,
+            first_draw_ms,
+            ..self.frame(&shading, &list.draws, &mut readback)?
         };
-        Ok((targets.picture()?, report))
+        Ok((targets.picture(&readback)?, report))
     }
 
     /// The pipeline of a variant, and whether it was made just now.
@@ -179,13 +166,15 @@ impl Renderer {
         }
         let info = PipelineInfo {
             name: &format!("surface[{variant}]"),
-            vertex: spirv::SURFACE_VERT,
-            fragment: spirv::SURFACE_FRAG,
+            vertex: Spirv(spirv::SURFACE_VERT),
+            fragment: Spirv(spirv::SURFACE_FRAG),
             attributes: &ATTRIBUTES,
             constants: &variant.constants(),
-            color: requirements::COLOR,
-            depth: requirements::DEPTH,
-            samples,
+            targets: gpu::Targets {
+                color: requirements::COLOR,
+                depth: requirements::DEPTH,
+                samples,
+            },
         };
         let pipeline = Pipeline::new(&self.device, &self.layout, &self.cache, &info)?;
         let pipeline = Arc::new(pipeline);
@@ -195,44 +184,32 @@ impl Renderer {
 
     /// Draws one triangle, so that a driver which compiles at the first draw does it here and not in
     /// the frame that is timed.
-    fn first_draw(
-        &self,
-        targets: &Targets,
-        pipeline: &Pipeline,
-        set: &DescriptorSet,
-        buffers: &SceneBuffers,
-        draws: &[Draw],
-    ) -> Result<(), gpu::Error> {
+    fn first_draw(&self, shading: &Shading, draws: &[Draw]) -> Result<(), gpu::Error> {
         let Some(draw) = draws.iter().find(|draw| draw.indices.len() >= 3) else {
             return Ok(());
         };
         let mut triangle = draw.clone();
         triangle.indices.end = triangle.indices.start + 3;
         let mut recorder = Recorder::new(&self.device, "first draw")?;
-        shading_pass::record(&mut recorder, targets, pipeline, set, buffers, &[triangle]);
+        shading.record(&mut recorder, &[triangle]);
         recorder.submit()?;
         Ok(())
     }
 
     fn frame(
         &self,
-        targets: &Targets,
-        pipeline: &Pipeline,
-        set: &DescriptorSet,
-        buffers: &SceneBuffers,
+        shading: &Shading,
         draws: &[Draw],
+        readback: &mut Buffer,
     ) -> Result<FrameReport, gpu::Error> {
         let timestamps = Timestamps::new(&self.device)?;
         let before = Instant::now();
         let mut recorder = Recorder::new(&self.device, "frame")?;
-        if let Some(timestamps) = &timestamps {
-            recorder.begin_timing(timestamps);
+        match &timestamps {
+            Some(stamps) => recorder.timed(stamps, |recorder| shading.record(recorder, draws)),
+            None => shading.record(&mut recorder, draws),
         }
-        shading_pass::record(&mut recorder, targets, pipeline, set, buffers, draws);
-        if let Some(timestamps) = &timestamps {
-            recorder.end_timing(timestamps);
-        }
-        targets.record_readback(&mut recorder);
+        shading.targets.record_readback(&mut recorder, readback);
         let recorded = recorder.finish()?;
         let record_ms = milliseconds_since(before);
         let before = Instant::now();

@@ -4,20 +4,37 @@ use std::sync::Arc;
 
 use super::draw_list::DrawList;
 use super::{camera, records};
-use crate::gpu::{Buffer, BufferUse, Device, Error, Upload};
+use crate::gpu::{
+    Binding, BindingKind, Buffer, BufferUse, DescriptorSet, Device, Error, SetLayout, Upload,
+};
+use crate::interface::reflected::bindings;
 use crate::interface::{Frame, Light};
 use crate::scene::Scene;
 
-/// Everything that the shading pass reads, in the order of the set's bindings, and the geometry.
+/// The one set: everything that a material, an object, a light or a frame is, is data here.
+pub const BINDINGS: [Binding; 4] = [
+    Binding {
+        slot: bindings::FrameBlock,
+        kind: BindingKind::Uniform,
+    },
+    Binding {
+        slot: bindings::InstanceBlock,
+        kind: BindingKind::Storage,
+    },
+    Binding {
+        slot: bindings::MaterialBlock,
+        kind: BindingKind::Storage,
+    },
+    Binding {
+        slot: bindings::LightBlock,
+        kind: BindingKind::Storage,
+    },
+];
+
+/// Everything that the shading pass reads.
 pub struct SceneBuffers {
-    /// Uniform `Frame`.
-    pub frame: Arc<Buffer>,
-    /// Storage `Instance[]`.
-    pub instances: Arc<Buffer>,
-    /// Storage `Material[]`.
-    pub materials: Arc<Buffer>,
-    /// Storage `Light[]`.
-    pub lights: Arc<Buffer>,
+    /// `Frame`, `Instance[]`, `Material[]`, `Light[]`: in the order of `BINDINGS`.
+    records: [Arc<Buffer>; 4],
     /// Positions of all meshes.
     pub positions: Buffer,
     /// Normals of all meshes.
@@ -61,20 +78,26 @@ impl SceneBuffers {
             .iter()
             .map(|mesh| bytemuck::cast_slice(&mesh.indices))
             .chain([sorted]);
+        let frame = bytemuck::bytes_of(&frame);
         Ok(Self {
-            frame: Arc::new(Buffer::with_data(
-                device,
-                "frame",
-                BufferUse::Uniform,
-                bytemuck::bytes_of(&frame),
-            )?),
-            instances: storage("instances", bytemuck::cast_slice(&instances))?,
-            materials: storage("materials", bytemuck::cast_slice(&materials))?,
-            lights: storage("lights", bytemuck::cast_slice(&lights))?,
+            records: [
+                Buffer::with_data(device, "frame", BufferUse::Uniform, frame).map(Arc::new)?,
+                storage("instances", bytemuck::cast_slice(&instances))?,
+                storage("materials", bytemuck::cast_slice(&materials))?,
+                storage("lights", bytemuck::cast_slice(&lights))?,
+            ],
             positions: vertices("positions", |mesh| &mesh.positions)?,
             normals: vertices("normals", |mesh| &mesh.normals)?,
             indices: joined(device, "indices", BufferUse::Indices, indices)?,
         })
+    }
+
+    /// The set that points at the records.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn set(&self, layout: &Arc<SetLayout>) -> Result<DescriptorSet, Error> {
+        DescriptorSet::new(layout, "the set", &self.records)
     }
 }
 

@@ -8,21 +8,30 @@ use crate::gpu::{DescriptorSet, Pipeline, Recorder};
 /// The pass's label, in captures and reports.
 pub const NAME: &str = "shading";
 
-/// Records the pass: everything is bound once, and no state command stands between two draws.
-pub fn record<'a>(
-    recorder: &mut Recorder<'a>,
-    targets: &'a Targets,
-    pipeline: &'a Pipeline,
-    set: &'a DescriptorSet,
-    scene: &'a SceneBuffers,
-    draws: &[Draw],
-) {
-    recorder.pass(&targets.pass(NAME), |pass| {
-        pass.bind_pipeline(pipeline);
-        pass.bind_set(set);
-        pass.bind_geometry(&[&scene.positions, &scene.normals], &scene.indices);
-        for draw in draws {
-            pass.draw(draw.indices.clone(), draw.vertex_offset, draw.instance);
-        }
-    });
+/// All that the pass needs.
+#[derive(Clone, Copy)]
+pub struct Shading<'a> {
+    /// Where it draws.
+    pub targets: &'a Targets,
+    /// The one pipeline.
+    pub pipeline: &'a Pipeline,
+    /// The one set.
+    pub set: &'a DescriptorSet,
+    /// The geometry.
+    pub scene: &'a SceneBuffers,
+}
+
+impl<'a> Shading<'a> {
+    /// Records the pass: everything is bound once, and no state command stands between two draws.
+    pub fn record(&self, recorder: &mut Recorder<'a>, draws: &[Draw]) {
+        let scene = self.scene;
+        recorder.pass(&self.targets.pass(NAME), |pass| {
+            pass.bind_pipeline(self.pipeline);
+            pass.bind_set(self.set);
+            pass.bind_geometry(&[&scene.positions, &scene.normals], &scene.indices);
+            for draw in draws {
+                pass.draw(draw.indices.clone(), draw.vertex_offset, draw.instance);
+            }
+        });
+    }
 }

@@ -7,12 +7,11 @@ use crate::gpu::{
     Buffer, BufferUse, Device, Error, Image, ImageInfo, PassInfo, Recorder, Samples, requirements,
 };
 
-/// Colour, depth, where colour is resolved to, and the buffer that brings it home.
+/// Colour, depth, and where colour is resolved to.
 pub struct Targets {
     color: Image,
     resolved: Option<Image>,
     depth: Image,
-    readback: Buffer,
 }
 
 impl Targets {
@@ -46,17 +45,10 @@ impl Targets {
             )?),
         };
         let depth = image("shading: depth", requirements::DEPTH, samples)?;
-        let readback = Buffer::new(
-            device,
-            "shading: readback",
-            BufferUse::Readback,
-            color.bytes(),
-        )?;
         Ok(Self {
             color,
             resolved,
             depth,
-            readback,
         })
     }
 
@@ -70,22 +62,41 @@ impl Targets {
         }
     }
 
-    /// Records the copy to the host.
-    pub fn record_readback<'a>(&'a self, recorder: &mut Recorder<'a>) {
-        let image = self.resolved.as_ref().unwrap_or(&self.color);
-        recorder.copy_image(image, &self.readback);
-    }
-
-    /// What the last readback brought.
+    /// A buffer that the picture fits in.
     ///
     /// # Errors
-    /// The driver gave memory that the host cannot see.
-    pub fn picture(&self) -> Result<Picture, Error> {
+    /// Beyond the device, or no memory.
+    pub fn readback(&self, device: &Arc<Device>) -> Result<Buffer, Error> {
+        let bytes = self.color.bytes();
+        Buffer::new(device, "shading: readback", BufferUse::Readback, bytes)
+    }
+
+    /// Records the copy to the host.
+    pub fn record_readback<'a>(&'a self, recorder: &mut Recorder<'a>, readback: &'a mut Buffer) {
+        let image = self.resolved.as_ref().unwrap_or(&self.color);
+        recorder.copy_image(image, readback);
+    }
+
+    /// What a readback brought.
+    ///
+    /// # Errors
+    /// The driver gave memory that the host cannot see, or there is none left for the picture.
+    pub fn picture(&self, readback: &Buffer) -> Result<Picture, Error> {
         let (width, height) = self.color.size();
+        let texels: &[[f32; 4]] = bytemuck::cast_slice(readback.read()?);
+        let mut pixels = Vec::new();
+        pixels
+            .try_reserve_exact(texels.len())
+            .map_err(|error| Error::Memory {
+                what: "the picture".into(),
+                bytes: readback.bytes(),
+                reason: error.to_string(),
+            })?;
+        pixels.extend_from_slice(texels);
         Ok(Picture {
             width,
             height,
-            pixels: bytemuck::pod_collect_to_vec(self.readback.read()?),
+            pixels,
         })
     }
 }

@@ -1,5 +1,4 @@
-//! How do the material library, a scene's text and `--set` lie over each other, and where does a
-//! value come from?
+//! Where does a value come from: the material library, the scene's text, or a `--set`?
 
 use std::path::{Path, PathBuf};
 

@@ -127,7 +127,7 @@ fn normals_agree_with_the_winding() {
         });
         let (against, all) = (against.count(), mesh.indices.len() / 3);
         // Where a crease is finer than a cell of the surface nets (between the bust's locks), a normal
-        // leans past its face: 1.6 % there, none or a few elsewhere. 2 in 100 are allowed.
+        // leans past its face. 2 in 100 are allowed.
         assert!(
             against * 50 <= all,
             "{} / {}: {against} of {all}",

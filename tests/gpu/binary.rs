@@ -1,23 +1,22 @@
 //! Does the program end with the right code, say why, and leave no half-written file?
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod devices;
+mod inputs;
+mod options;
+#[cfg(unix)]
+mod outputs;
+mod picture;
+#[cfg(target_os = "linux")]
+mod streams;
 
-use glam::Vec3;
-use serde_json::Value;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
 
 const UMBER: &str = env!("CARGO_BIN_EXE_umber");
 
-fn umber(folder: &Path, arguments: &[&str]) -> std::io::Result<Output> {
-    Command::new(UMBER)
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
+/// What a test of the program returns: what is wrong around it fails it too.
+type Tested = Result<(), Box<dyn std::error::Error>>;
 
 /// A square that fills the picture.
 const SQUARE: &str = r#"
@@ -39,284 +38,100 @@ shape = "plane"
 material = "plaster"
 "#;
 
-fn folder_with_scene() -> std::io::Result<tempfile::TempDir> {
-    let folder = tempfile::tempdir()?;
-    std::fs::write(folder.path().join("scene.toml"), SQUARE)?;
-    Ok(folder)
+/// A folder that one test works in.
+struct Place {
+    folder: tempfile::TempDir,
 }
 
-fn names(folder: &Path) -> std::io::Result<Vec<String>> {
-    let mut names: Vec<_> = std::fs::read_dir(folder)?
-        .map(|entry| entry.map(|e| e.file_name().to_string_lossy().into_owned()))
-        .collect::<Result<_, _>>()?;
-    names.sort();
-    Ok(names)
+impl Place {
+    /// An empty folder.
+    fn empty() -> io::Result<Self> {
+        tempfile::tempdir().map(|folder| Self { folder })
+    }
+
+    /// A folder with `SQUARE` as scene.toml.
+    fn new() -> io::Result<Self> {
+        let place = Self::empty()?;
+        place.write("scene.toml", SQUARE)?;
+        Ok(place)
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn write(&self, name: &str, text: &str) -> io::Result<()> {
+        std::fs::write(self.path(name), text)
+    }
+
+    /// What lies here, sorted.
+    fn names(&self) -> io::Result<Vec<String>> {
+        let mut names: Vec<_> = std::fs::read_dir(self.folder.path())?
+            .map(|entry| entry.map(|e| e.file_name().to_string_lossy().into_owned()))
+            .collect::<Result<_, _>>()?;
+        names.sort();
+        Ok(names)
+    }
+
+    /// A command that runs here, with a cache that is no user's.
+    fn command(&self, program: &str) -> Command {
+        let cache = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache");
+        let mut command = Command::new(program);
+        command
+            .current_dir(self.folder.path())
+            .env("UMBER", UMBER)
+            .env("XDG_CACHE_HOME", cache);
+        command
+    }
+
+    /// `umber ARGUMENTS`.
+    fn umber(&self, arguments: &[&str]) -> io::Result<Run> {
+        let output = self.command(UMBER).args(arguments).output()?;
+        Ok(Run::of(&format!("{arguments:?}"), &output))
+    }
+
+    /// `umber render --validation ARGUMENTS`: any message of the layers ends it with 4.
+    fn render(&self, arguments: &[&str]) -> io::Result<Run> {
+        self.umber(&[&["render", "--validation"], arguments].concat())
+    }
+
+    /// Runs a shell's script, in which `$UMBER` is the program.
+    #[cfg(unix)]
+    fn shell(&self, script: &str) -> io::Result<Run> {
+        let output = self.command("sh").args(["-c", script]).output()?;
+        Ok(Run::of(script, &output))
+    }
 }
 
-#[test]
-fn a_render_writes_its_picture_and_the_whole_report() -> Result<(), Box<dyn std::error::Error>> {
-    let folder = folder_with_scene()?;
-    let arguments = [
-        "render",
-        "scene.toml",
-        "--size",
-        "40x30",
-        "--json",
-        "--quiet",
-        "--validation",
-    ];
-    let output = umber(folder.path(), &arguments)?;
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    assert_eq!(stderr(&output), "", "quiet is quiet");
-    let report: Value = serde_json::from_slice(&output.stdout)?;
-    assert_eq!(report["schema"], "umber.render/1");
-    for key in ["name", "type", "driver", "driver_version", "api"] {
-        assert!(report["device"][key].is_string(), "device.{key}");
-    }
-    for key in ["triangles", "materials", "lights"] {
-        assert!(report["scene"][key].as_u64() > Some(0), "scene.{key}");
-    }
-    let pass = &report["frame"]["passes"][0];
-    assert_eq!(pass["name"], "shading");
-    for (key, count) in [
-        ("draws", 1),
-        ("pipeline_binds", 1),
-        ("descriptor_set_binds", 1),
-    ] {
-        assert_eq!(pass[key], count, "{key}");
-    }
-    assert_eq!(report["frame"]["pipelines_created"], 1);
-    for key in ["first_draw_ms", "record_ms", "submit_to_idle_ms", "gpu_ms"] {
-        assert!(report["frame"][key].as_f64() > Some(0.0), "frame.{key}");
-    }
-    assert_eq!(report["image"]["path"], "scene.png");
-    assert_eq!(report["image"]["nan_pixels"], 0);
-    assert_eq!(report["validation_messages"], 0);
-    let picture = image::open(folder.path().join("scene.png"))?.to_rgb8();
-    assert_eq!(picture.dimensions(), (40, 30));
-    assert_eq!(names(folder.path())?, ["scene.png", "scene.toml"]);
-    Ok(())
+/// How the program ended.
+struct Run {
+    what: String,
+    code: Option<i32>,
+    stdout: Vec<u8>,
+    stderr: String,
 }
 
-#[test]
-fn each_format_holds_the_picture_in_its_own_way() -> Result<(), Box<dyn std::error::Error>> {
-    let folder = folder_with_scene()?;
-    let mut pictures = Vec::new();
-    for name in ["a.exr", "a.hdr"] {
-        let arguments = [
-            "render",
-            "scene.toml",
-            "--size",
-            "16x16",
-            "--samples",
-            "1",
-            "-o",
-            name,
-        ];
-        let output = umber(folder.path(), &arguments)?;
-        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-        pictures.push(image::open(folder.path().join(name))?.to_rgb32f());
+impl Run {
+    fn of(what: &str, output: &Output) -> Self {
+        let run = Self {
+            what: what.into(),
+            code: output.status.code(),
+            stdout: output.stdout.clone(),
+            stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
+        };
+        assert!(!run.stderr.contains("panicked"), "{what}: {}", run.stderr);
+        run
     }
-    // Both are linear; RGBE keeps 8 bits of mantissa.
-    for (exr, hdr) in pictures[0].pixels().zip(pictures[1].pixels()) {
-        for (exr, hdr) in exr.0.into_iter().zip(hdr.0) {
-            assert!(
-                (exr - hdr).abs() <= exr.abs() / 100.0 + 1e-3,
-                "{exr} and {hdr}"
-            );
+
+    /// It ended with this code, and said each of these words on stderr or, for data, on stdout.
+    #[track_caller]
+    fn ends(self, code: i32, words: &[&str]) -> Self {
+        let Self { what, stderr, .. } = &self;
+        assert_eq!(self.code, Some(code), "{what}: {stderr}");
+        let said = format!("{stderr}{}", String::from_utf8_lossy(&self.stdout));
+        for word in words {
+            assert!(said.contains(word), "{what}: no '{word}' in: {said}");
         }
+        self
     }
-    let arguments = [
-        "render",
-        "scene.toml",
-        "--size",
-        "16x16",
-        "--quiet",
-        "-o",
-        "-",
-    ];
-    let output = umber(folder.path(), &arguments)?;
-    let picture = image::load_from_memory_with_format(&output.stdout, image::ImageFormat::Png)?;
-    assert_eq!((picture.width(), picture.height()), (16, 16));
-    Ok(())
-}
-
-/// 8 x 8 squares across `line`, whose normals are `line` but for the last bits of each component.
-fn squares_across(line: Vec3) -> String {
-    let (right, up) = line.any_orthonormal_pair();
-    let mut text = String::new();
-    for i in 0..64 {
-        let middle = right * ((i % 8) as f32 - 3.5) + up * ((i / 8) as f32 - 3.5);
-        for corner in [-right - up, right - up, right + up, up - right] {
-            let [x, y, z] = (middle + corner * 0.5).to_array();
-            text += &format!("v {x} {y} {z}\n");
-        }
-        let nudge = |bits: i32| f32::EPSILON * 0.5 * (i >> bits & 3) as f32;
-        let normal = line + Vec3::new(nudge(0), nudge(2), nudge(4));
-        text += &format!("vn {} {} {}\n", normal.x, normal.y, normal.z);
-        text += "f -4//-1 -3//-1 -2//-1 -1//-1\n";
-    }
-    text
-}
-
-#[test]
-fn a_picture_with_nan_is_written_and_ends_with_5() -> Result<(), Box<dyn std::error::Error>> {
-    let folder = tempfile::tempdir()?;
-    let line = Vec3::new(1.7, 2.9, 4.3).normalize();
-    std::fs::write(folder.path().join("squares.obj"), squares_across(line))?;
-    let scene = format!(
-        "[camera]\nposition = {0:?}\ntarget = [0, 0, 0]\nprojection = \"orthographic\"\nheight = 8\n\
-         [light.lamp]\nkind = \"directional\"\ndirection = {1:?}\nilluminance = 1\n\
-         [model.squares]\nfile = \"squares.obj\"\nmaterial = \"gold\"\n",
-        (line * 8.0).to_array(),
-        (-line).to_array()
-    );
-    std::fs::write(folder.path().join("scene.toml"), scene)?;
-    // Mirrors seen at their peak: the listing divides by roughness 0.
-    let arguments = [
-        "render",
-        "scene.toml",
-        "--size",
-        "64x64",
-        "--samples",
-        "1",
-        "--lighting",
-        "slides",
-        "--set",
-        "material.gold.roughness=0",
-    ];
-    let output = umber(folder.path(), &arguments)?;
-    assert_eq!(output.status.code(), Some(5), "{}", stderr(&output));
-    assert!(stderr(&output).contains("column"), "{}", stderr(&output));
-    assert!(names(folder.path())?.contains(&"scene.png".to_owned()));
-    Ok(())
-}
-
-#[test]
-fn what_the_command_line_asks_wrongly_ends_with_2() -> std::io::Result<()> {
-    let folder = folder_with_scene()?;
-    let cases: [(&[&str], &str); 9] = [
-        (&["--size", "0x10"], "at least one pixel"),
-        (&["--size", "16"], "WIDTHxHEIGHT"),
-        (&["--size", "1000000x8"], "at most"),
-        (&["--samples", "3"], "1, 2, 4 or 8"),
-        (&["--lighting", "toon"], "corrected"),
-        (&["--terms", "glitter"], "specular"),
-        (&["-o", "picture.bmp"], "png"),
-        (&["-o", "-", "--json"], "stdout"),
-        (&["--set", "material.glod.roughness=1"], "gold"),
-    ];
-    for (arguments, expected) in cases {
-        let all = [&["render", "scene.toml"], arguments].concat();
-        let output = umber(folder.path(), &all)?;
-        assert_eq!(
-            output.status.code(),
-            Some(2),
-            "{arguments:?}: {}",
-            stderr(&output)
-        );
-        let text = stderr(&output);
-        assert!(text.contains(expected), "{arguments:?}: {text}");
-        assert!(!text.contains("panicked"), "{text}");
-        assert_eq!(names(folder.path())?, ["scene.toml"], "{arguments:?}");
-    }
-    Ok(())
-}
-
-#[test]
-fn a_missing_device_driver_or_loader_ends_with_3() -> std::io::Result<()> {
-    let folder = folder_with_scene()?;
-    let output = umber(
-        folder.path(),
-        &["render", "scene.toml", "--device", "voodoo"],
-    )?;
-    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
-    assert!(stderr(&output).contains("voodoo"));
-
-    let without_driver = |arguments: &[&str]| {
-        Command::new(UMBER)
-            .args(arguments)
-            .current_dir(folder.path())
-            .env("VK_DRIVER_FILES", "/nowhere.json")
-            .env("VK_ICD_FILENAMES", "/nowhere.json")
-            .output()
-    };
-    for arguments in [&["render", "scene.toml"][..], &["devices"], &["doctor"]] {
-        let output = without_driver(arguments)?;
-        assert_eq!(output.status.code(), Some(3), "{arguments:?}");
-        let said = stderr(&output) + &String::from_utf8_lossy(&output.stdout);
-        assert!(
-            said.contains("mesa-vulkan-drivers"),
-            "{arguments:?}: {said}"
-        );
-    }
-
-    // A library of the loader's name that is none stands in for a system without one.
-    std::fs::write(folder.path().join("libvulkan.so.1"), "not a library")?;
-    let output = Command::new(UMBER)
-        .args(["render", "scene.toml"])
-        .current_dir(folder.path())
-        .env("LD_LIBRARY_PATH", folder.path())
-        .output()?;
-    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
-    assert!(
-        stderr(&output).contains("no Vulkan loader"),
-        "{}",
-        stderr(&output)
-    );
-    assert_eq!(names(folder.path())?, ["libvulkan.so.1", "scene.toml"]);
-    Ok(())
-}
-
-#[test]
-fn a_file_that_cannot_be_read_or_written_ends_with_6() -> std::io::Result<()> {
-    let folder = folder_with_scene()?;
-    std::fs::write(folder.path().join("broken.toml"), "[camera\nposition = 1")?;
-    std::fs::write(
-        folder.path().join("typo.toml"),
-        "[camera]\npositoin = [0, 0, 1]",
-    )?;
-    std::fs::write(
-        folder.path().join("absent.toml"),
-        "[model.a]\nfile = \"nothing.obj\"",
-    )?;
-    let cases: [(&[&str], &[&str]); 6] = [
-        (&["broken.toml"], &["broken.toml:1"]),
-        (&["typo.toml"], &["typo.toml:2", "position"]),
-        (&["absent.toml"], &["nothing.obj"]),
-        (&["nowhere.toml"], &["nowhere.toml"]),
-        (&["scene.toml", "-o", "missing/a.png"], &["missing"]),
-        (&["scene.toml", "-o", "/proc/a.png"], &["/proc/a.png"]),
-    ];
-    for (arguments, expected) in cases {
-        let before = names(folder.path())?;
-        let all = [&["render"], arguments].concat();
-        let output = umber(folder.path(), &all)?;
-        let text = stderr(&output);
-        assert_eq!(output.status.code(), Some(6), "{arguments:?}: {text}");
-        for word in expected {
-            assert!(text.contains(word), "{arguments:?}: {text}");
-        }
-        assert_eq!(names(folder.path())?, before, "{arguments:?}");
-    }
-    Ok(())
-}
-
-#[test]
-fn help_version_completions_and_devices_go_to_stdout() -> std::io::Result<()> {
-    let folder = tempfile::tempdir()?;
-    let cases: [(&[&str], &str); 5] = [
-        (&["--help"], "Exit codes"),
-        (&["render", "--help"], "--lighting"),
-        (&["--version"], "umber"),
-        (&["completions", "bash"], "_umber"),
-        (&["devices", "--json"], "umber.devices/1"),
-    ];
-    for (arguments, expected) in cases {
-        let output = umber(folder.path(), arguments)?;
-        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
-        let text = String::from_utf8_lossy(&output.stdout);
-        assert!(text.contains(expected), "{arguments:?}: {text}");
-    }
-    Ok(())
 }

@@ -4,7 +4,7 @@
 
 use glam::{Affine3A, Quat, Vec3};
 
-use super::sdf::{ball, carve, ellipsoid, join, limb};
+use super::sdf::{Roll, add, ball, carve, ellipsoid, join, limb, roll};
 use super::surface::Surface;
 use super::{Part, part, surface_nets};
 
@@ -148,71 +148,29 @@ impl Bones {
     }
 }
 
-fn wrist(p: Vec3) -> f32 {
-    let radius = limb(
-        p,
-        Vec3::new(-0.052, -0.12, 0.0),
-        Vec3::new(-0.046, 0.26, 0.0),
-        0.080,
-        0.062,
-    );
-    let ulna = limb(
-        p,
-        Vec3::new(0.056, -0.12, 0.0),
-        Vec3::new(0.050, 0.26, 0.0),
-        0.076,
-        0.058,
-    );
-    let arm = join(radius, ulna, 0.09);
-    // The ulna's head.
-    join(arm, ball(p, Vec3::new(0.078, 0.175, 0.028), 0.026), 0.06)
-}
+/// The two bones of the forearm; their blend is flat between them, as a wrist is.
+const FOREARM: [Roll; 2] = [
+    [-0.052, -0.12, 0.0, -0.046, 0.26, 0.0, 0.080, 0.062, 0.09],
+    [0.056, -0.12, 0.0, 0.050, 0.26, 0.0, 0.076, 0.058, 0.09],
+];
+/// The heel of the hand, the ball of the thumb, and the web between thumb and index.
+const CUSHIONS: [Roll; 3] = [
+    [0.075, 0.27, -0.03, 0.110, 0.43, -0.03, 0.050, 0.042, 0.05],
+    [-0.06, 0.30, -0.04, -0.13, 0.41, -0.04, 0.055, 0.044, 0.05],
+    [-0.09, 0.36, -0.02, -0.125, 0.45, -0.015, 0.045, 0.025, 0.06],
+];
 
 fn palm(p: Vec3) -> f32 {
-    let mut d = wrist(p);
+    let arm = add(p, roll(p, &FOREARM[0]), &FOREARM[1..]);
+    // The ulna's head.
+    let mut d = join(arm, ball(p, Vec3::new(0.078, 0.175, 0.028), 0.026), 0.06);
     for (n, finger) in FINGERS.iter().enumerate() {
         let start = Vec3::new(-0.050 + 0.034 * n as f32, 0.26, 0.0);
         let knuckle = finger.knuckle - Vec3::Z * 0.012;
-        d = join(
-            d,
-            limb(p, start, knuckle, 0.052, finger.girth * 1.06),
-            0.045,
-        );
+        let bone = limb(p, start, knuckle, 0.052, finger.girth * 1.06);
+        d = join(d, bone, 0.045);
     }
-    // The ball of the thumb, the heel of the hand, and the web between thumb and index.
-    d = join(
-        d,
-        limb(
-            p,
-            Vec3::new(0.075, 0.27, -0.03),
-            Vec3::new(0.110, 0.43, -0.03),
-            0.050,
-            0.042,
-        ),
-        0.05,
-    );
-    d = join(
-        d,
-        limb(
-            p,
-            Vec3::new(-0.06, 0.30, -0.04),
-            Vec3::new(-0.13, 0.41, -0.04),
-            0.055,
-            0.044,
-        ),
-        0.05,
-    );
-    join(
-        d,
-        limb(
-            p,
-            Vec3::new(-0.09, 0.36, -0.02),
-            Vec3::new(-0.125, 0.45, -0.015),
-            0.045,
-            0.025,
-        ),
-        0.06,
-    )
+    add(p, d, &CUSHIONS)
 }
 
 /// Tendons that fan from the wrist to the knuckles, and the knuckles themselves.
@@ -233,7 +191,7 @@ fn back_of_hand(p: Vec3, skin: f32) -> f32 {
 }
 
 /// Beyond this distance, m, a bound serves as well as the form: no blend reaches so far, and the
-/// mesher skips what is further than 4.3 cells of 9.2 mm.
+/// mesher skips what is further than 4 cells of 10 mm.
 const FAR: f32 = 0.045;
 
 struct Hand {
@@ -282,7 +240,7 @@ pub fn hand() -> Vec<Part> {
         fingers: FINGERS.map(|finger| finger.bones()),
     };
     let (low, high) = (Vec3::new(-0.34, -0.03, -0.26), Vec3::new(0.24, 1.0, 0.12));
-    let skin = surface_nets::mesh([low, high], 0.0092, |p| p, |p| hand.solid(p));
+    let skin = surface_nets::mesh([low, high], 0.0100, |p| p, |p| hand.solid(p));
     let [skin, nails] = skin.split(|p| hand.nails(p) + 0.001);
     let place = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.05));
     let mut placed = Surface::default();

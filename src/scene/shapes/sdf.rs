@@ -39,3 +39,17 @@ pub fn join(a: f32, b: f32, soft: f32) -> f32 {
 pub fn carve(a: f32, b: f32, soft: f32) -> f32 {
     -join(-a, b, soft)
 }
+
+/// A roll of clay: from (x, y, z) to (x, y, z), the radii at both ends, the width of its blend.
+pub type Roll = [f32; 9];
+
+/// The distance from a roll.
+pub fn roll(p: Vec3, r: &Roll) -> f32 {
+    let (a, b) = (Vec3::new(r[0], r[1], r[2]), Vec3::new(r[3], r[4], r[5]));
+    limb(p, a, b, r[6], r[7])
+}
+
+/// Presses `rolls` onto a form, one after the other.
+pub fn add(p: Vec3, form: f32, rolls: &[Roll]) -> f32 {
+    rolls.iter().fold(form, |d, r| join(d, roll(p, r), r[8]))
+}

@@ -23,7 +23,7 @@ struct Grid {
 /// Meshes `distance(p) = 0` inside the box `low..high` with cells of `cell` metres.
 ///
 /// `place` takes grid space to model space; where it shrinks, cells are finer. The surface must
-/// lie inside the box; `distance` must not change faster than 1.2 m per m of the grid, or parts
+/// lie inside the box; `distance` must not change faster than 1.1 m per m of the grid, or parts
 /// may be missed.
 pub fn mesh(
     [low, high]: [Vec3; 2],
@@ -189,8 +189,8 @@ fn fill_layer(
     first_z: usize,
     distance: &impl Fn(Vec3) -> f32,
 ) {
-    // Half a block's diagonal from its first to its last sample, plus a cell, at 1.2 m per m.
-    let far = ((BLOCK as f32 - 1.0) * 0.5 * 3f32.sqrt() + 1.0) * cell * 1.2;
+    // Half a block's diagonal from its first to its last sample, plus a cell, at 1.1 m per m.
+    let far = ((BLOCK as f32 - 1.0) * 0.5 * 3f32.sqrt() + 1.0) * cell * 1.1;
     let middle = Vec3::splat((BLOCK as f32 - 1.0) * 0.5);
     let point = |x: usize, y: usize, z: usize| Vec3::new(x as f32, y as f32, (first_z + z) as f32);
     for by in (0..size[1]).step_by(BLOCK) {
