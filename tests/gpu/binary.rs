@@ -28,6 +28,10 @@ projection = "orthographic"
 height = 0.5
 exposure_ev100 = 0
 
+[ambient]
+sky = [0.3, 0.4, 0.5]
+ground = 0.1
+
 [light.lamp]
 kind = "directional"
 direction = [-0.3, -1, 0.2]

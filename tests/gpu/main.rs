@@ -12,6 +12,7 @@ mod golden;
 mod harness;
 mod patches;
 mod physics;
+mod records;
 mod slides_breakdown;
 mod spheres;
 #[path = "../tolerances.rs"]

@@ -2,7 +2,7 @@
 //!
 //! MODELS: NaN for L = E = N with normals that are not along an axis, and infinity for roughness 0 at
 //! the mirror's peak, on every driver tried; on lavapipe, whose min and max drop NaN, finite values
-//! that are wrong for L = N. Counts differ from driver to driver: they are printed, not asserted.
+//! that are wrong for L = N. Counts differ from driver to driver: they are recorded, not asserted.
 
 use glam::{Quat, Vec3};
 use umber::reference::shade::{Lighting, Terms};
@@ -10,6 +10,10 @@ use umber::render::Variant;
 
 use crate::harness::{Gpu, whole, with_gpu};
 use crate::patches::{DARK, Patch, Patches, material, towards};
+use crate::records::record;
+
+/// The file that the counts go to.
+const WHAT: &str = "slides_breakdown";
 
 /// Directions on a spiral over the sphere (Swinbank and Purser 2006), none along an axis.
 fn directions(count: usize) -> impl Iterator<Item = Vec3> {
@@ -61,10 +65,8 @@ fn light_eye_and_normal_in_one_line_make_a_nan() {
                 "{direction:?}"
             );
         }
-        println!(
-            "L = E = N on {}: {nan} NaN of {count}",
-            gpu.device.info().name
-        );
+        let counts = [("nan", nan), ("of", count)];
+        record(gpu, WHAT, "light, eye and normal in one line", &counts);
         assert!(
             nan > 0,
             "the listing's acos and normalize are undefined here"
@@ -90,8 +92,8 @@ fn roughness_0_at_the_mirrors_peak_makes_an_infinity() {
                 "{normal:?}"
             );
         }
-        let name = &gpu.device.info().name;
-        println!("roughness 0 at the peak on {name}: {infinite} infinite, {nan} NaN of {count}");
+        let counts = [("infinite", infinite), ("nan", nan), ("of", count)];
+        record(gpu, WHAT, "roughness 0 at the mirror's peak", &counts);
         assert!(infinite > 0, "the listing divides by R2 = 0 here");
     });
 }
@@ -113,10 +115,12 @@ fn light_along_the_normal_is_wrong_and_finite_where_nan_is_dropped() {
                 count += 1;
             }
         }
-        let name = &gpu.device.info().name;
-        println!(
-            "L = N on {name}: {wrong} finite and wrong by over 1 %, {undefined} undefined of {count}"
-        );
+        let counts = [
+            ("finite_and_wrong_by_over_1_percent", wrong),
+            ("undefined", undefined),
+            ("of", count),
+        ];
+        record(gpu, WHAT, "light along the normal", &counts);
         if gpu.is_lavapipe() {
             assert!(wrong > 0, "a dropped NaN hides here as a plausible number");
         }

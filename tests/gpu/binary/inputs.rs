@@ -174,8 +174,8 @@ fn a_missing_material_library_is_a_warning_and_the_default_material() -> Tested 
     let small = ["a.obj", "--size", "16x16"];
     let run = place.render(&small)?.ends(0, &[]);
     for words in [
-        "warning: a.obj:1: mtllib absent.mtl: no such file",
-        "warning: a.obj:2: no MTL has a material 'red'",
+        "a.obj:1: mtllib absent.mtl: no such file",
+        "a.obj:2: no MTL has a material 'red'",
     ] {
         assert!(run.stderr.contains(words), "{}", run.stderr);
     }

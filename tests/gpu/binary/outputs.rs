@@ -21,10 +21,16 @@ fn a_place_that_cannot_be_written_ends_with_6_and_its_own_name() -> Tested {
         (&["-o", "missing/a.png"], "missing/a.png"),
         (&["-o", "/proc/a.png"], "/proc/a.png"),
         (&["-o", "scene.toml/a.png"], "scene.toml/a.png"),
-        (&["-o", "folder.png"], "folder.png: it is a folder"),
+        (
+            &["-o", "folder.png"],
+            "cannot write folder.png: is a directory",
+        ),
         (&["--json=missing/a.json"], "missing/a.json"),
         (&["--json=/proc/a.json"], "/proc/a.json"),
-        (&["--json=folder.png"], "folder.png: it is a folder"),
+        (
+            &["--json=folder.png"],
+            "cannot write folder.png: is a directory",
+        ),
         (&["-o", "-", "--json=missing/a.json"], "missing/a.json"),
     ];
     for (arguments, expected) in cases {
@@ -77,7 +83,7 @@ fn a_link_is_followed_and_stays() -> Tested {
     assert_eq!(place.names()?, ["a.png", "scene.toml", "there"]);
     // A link to the scene is the scene.
     symlink("scene.toml", place.path("alias.png"))?;
-    render(&place, &["-o", "alias.png"])?.ends(2, &["alias.png"]);
+    render(&place, &["-o", "alias.png"])?.ends(2, &["scene.toml: it would be overwritten"]);
     assert_eq!(std::fs::read_to_string(place.path("scene.toml"))?, SQUARE);
     Ok(())
 }
@@ -119,7 +125,8 @@ fn a_device_file_is_written_to_and_never_replaced() -> Tested {
     render(&place, &["-o", "null.png", "--json=/dev/null"])?.ends(0, &[]);
     render(&place, &["-o", "full.png"])?.ends(6, &["full.png", "No space"]);
     render(&place, &["-o", "null.png", "--json=/dev/full"])?.ends(6, &["/dev/full", "No space"]);
-    render(&place, &["-o", "/dev/null"])?.ends(2, &["png"]);
+    render(&place, &["-o", "/dev/null"])?.ends(0, &[]);
+    render(&place, &["-o", "/dev/full"])?.ends(6, &["/dev/full", "No space"]);
     assert_eq!(place.names()?, before);
     for name in ["null.png", "full.png"] {
         assert!(!place.path(name).metadata()?.is_file(), "{name}");

@@ -24,7 +24,7 @@ fn a_render_writes_its_picture_and_the_whole_report() -> Tested {
         assert!(report["device"][key].is_string(), "device.{key}");
     }
     for (key, count) in [
-        ("triangles", 2),
+        ("triangles", 128),
         ("objects", 1),
         ("materials", 1),
         ("lights", 1),
@@ -72,7 +72,7 @@ fn the_report_goes_to_a_file_or_to_stdout_as_asked() -> Tested {
     };
     let run = render(&["--json=report.json"])?.ends(0, &[]);
     assert!(run.stdout.is_empty(), "with a file, stdout is left alone");
-    assert!(run.stderr.contains("shading: 1 draws"), "{}", run.stderr);
+    assert!(run.stderr.contains("shading: 1 draw,"), "{}", run.stderr);
     assert_eq!(place.names()?, ["report.json", "scene.png", "scene.toml"]);
     let to_file = keys(&std::fs::read(place.path("report.json"))?)?;
     assert_eq!(to_file, keys(&render(&["--json"])?.ends(0, &[]).stdout)?);
