@@ -9,6 +9,7 @@ mod hemisphere;
 mod layout;
 mod material_library;
 mod mtl;
+mod mutation;
 mod obj;
 mod oren_nayar;
 mod phong;

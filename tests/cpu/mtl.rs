@@ -3,9 +3,10 @@
 use std::fs;
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use tempfile::TempDir;
 use umber::scene::{self, LoadOptions, Material, Scene};
+
+use crate::mutation;
 
 /// A triangle of material `m` beside an MTL file with the given bytes.
 fn load(mtl: &[u8]) -> (TempDir, Result<Scene, scene::Error>) {
@@ -203,30 +204,11 @@ const RICH: &str = "newmtl m\nKa 1 1 1\nKd 0.8 0.4 0.2\nKs 0.5\nKe 1 0 0\nNs 10.
                     Tr 0.5\nPr 0.5\nPm 1\nPs 0\nPc 0\naniso 0\nillum 2\nmap_Kd -s 1 1 1 a b.png\n";
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 1000,
-        rng_seed: RngSeed::Fixed(1),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(mutation::cases(1000))]
 
     /// Whatever happens to the text, there is a material in range or a message.
     #[test]
-    fn mutated_text_never_panics(
-        edits in prop::collection::vec((0..RICH.len(), any::<u8>(), 0..3_u8), 1..8),
-    ) {
-        let mut bytes = RICH.as_bytes().to_vec();
-        for (at, byte, kind) in edits {
-            let at = at.min(bytes.len().saturating_sub(1));
-            if bytes.is_empty() {
-                break;
-            }
-            match kind {
-                0 => bytes[at] = byte,
-                1 => bytes.insert(at, b"- 9\nKNPe.#"[usize::from(byte) % 10]),
-                _ => { bytes.remove(at); }
-            }
-        }
+    fn mutated_text_never_panics(bytes in mutation::mutated(RICH, b"- 9\nKNPe.#")) {
         let (_folder, scene) = load(&bytes);
         match scene {
             Err(error) => prop_assert!(error.to_string().contains("model.mtl"), "{}", error),

@@ -4,9 +4,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use tempfile::TempDir;
 use umber::scene::{self, LoadOptions, Scene};
+
+use crate::mutation;
 
 fn folder(bytes: &[u8]) -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -302,34 +303,11 @@ const RICH: &str = "mtllib a.mtl\no a\nv 0 0 0\nv 1.5 0 -2e-1 1\nv 0 1 0\nv 0 0 
                     vt 0 0\nusemtl red\nf 1 2 3\ng b\nf 1//1 2/1/1 -1\nf -4 -3 -2 -1\ns 1\nl 1 2\n";
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 1000,
-        rng_seed: RngSeed::Fixed(1),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(mutation::cases(1000))]
 
     /// Whatever happens to the text, there is a model with sound numbers or a message.
     #[test]
-    fn mutated_text_never_panics(
-        edits in prop::collection::vec((0..RICH.len(), any::<u8>(), 0..4_u8), 1..8),
-    ) {
-        let mut bytes = RICH.as_bytes().to_vec();
-        for (at, byte, kind) in edits {
-            let at = at.min(bytes.len().saturating_sub(1));
-            if bytes.is_empty() {
-                break;
-            }
-            match kind {
-                0 => bytes[at] = byte,
-                1 => bytes.insert(at, b"-/ 9\nfv0e.\\"[usize::from(byte) % 11]),
-                2 => { bytes.remove(at); }
-                _ => {
-                    let tail = bytes.split_off(at);
-                    bytes.splice(0..0, tail);
-                }
-            }
-        }
+    fn mutated_text_never_panics(bytes in mutation::mutated(RICH, b"-/ 9\nfv0e.\\")) {
         let (_folder, path) = folder(&bytes);
         match scene::load(&path, &LoadOptions::default()) {
             Err(error) => prop_assert!(error.to_string().contains("model.obj"), "{}", error),

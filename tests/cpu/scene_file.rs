@@ -4,9 +4,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use tempfile::TempDir;
 use umber::scene::{self, LightKind, LoadOptions, Projection, Scene};
+
+use crate::mutation;
 
 /// A folder that holds `scene.toml` with the given text.
 fn folder(text: &str) -> (TempDir, PathBuf) {
@@ -530,31 +531,11 @@ scale = [1, 2, 3]
 "#;
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 400,
-        rng_seed: RngSeed::Fixed(1),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(mutation::cases(400))]
 
     /// Whatever happens to a scene's text, there is a scene or a message.
     #[test]
-    fn mutated_text_never_panics(
-        edits in prop::collection::vec((0..RICH.len(), any::<u8>(), 0..4_u8), 1..6),
-    ) {
-        let mut bytes = RICH.as_bytes().to_vec();
-        for (at, byte, kind) in edits {
-            let at = at.min(bytes.len().saturating_sub(1));
-            if bytes.is_empty() {
-                break;
-            }
-            match kind {
-                0 => bytes[at] = byte,
-                1 => bytes.insert(at, b"[]{}=.\"'-e0"[usize::from(byte) % 11]),
-                2 => { bytes.remove(at); }
-                _ => bytes.truncate(at.max(1)),
-            }
-        }
+    fn mutated_text_never_panics(bytes in mutation::mutated(RICH, b"[]{}=.\"'-e0")) {
         let (_folder, path) = folder("");
         fs::write(&path, &bytes).expect("a written file");
         if let Err(error) = scene::load(&path, &LoadOptions::default()) {
