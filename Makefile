@@ -17,6 +17,8 @@ ON = .ci/as-user env VK_DRIVER_FILES="$$icd" VK_ICD_FILENAMES="$$icd"
 demo:
 	@.ci/need c++ driver
 	$(CARGO) build --release --locked
+	@# A driver whose device is not there is none.
+	@.ci/as-user target/release/umber devices >/dev/null 2>&1 || .ci/need lavapipe
 	.ci/as-user mkdir -p out
 	.ci/as-user target/release/umber render scenes/zoo.toml --output out/zoo.png
 	@echo "demo: built target/release/umber and rendered scenes/zoo.toml to out/zoo.png"

@@ -47,15 +47,25 @@ fn salt() -> String {
 
 /// The first twelve digits of the commit that is checked out, or `unknown` outside a clone.
 fn revision() -> String {
-    let git = Path::new(".git");
+    let git = git_folder();
     let commit = read(&git.join("HEAD")).and_then(|head| match head.strip_prefix("ref: ") {
-        Some(name) => read(&git.join(name)).or_else(|| packed(git, name)),
+        Some(name) => read(&git.join(name)).or_else(|| packed(&git, name)),
         None => Some(head.clone()),
     });
     match commit.as_deref().and_then(|commit| commit.get(..12)) {
         Some(short) if short.bytes().all(|b| b.is_ascii_hexdigit()) => short.to_owned(),
         _ => "unknown".to_owned(),
     }
+}
+
+/// `.git`, or what it points at in a worktree.
+fn git_folder() -> PathBuf {
+    let git = PathBuf::from(".git");
+    let pointer = fs::read_to_string(&git).ok();
+    let target = pointer
+        .as_deref()
+        .and_then(|text| text.strip_prefix("gitdir: "));
+    target.map_or(git, |target| PathBuf::from(target.trim()))
 }
 
 /// A ref that git has moved into its one file of refs.

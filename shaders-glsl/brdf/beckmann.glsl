@@ -19,7 +19,9 @@ float beckmann_m2(float m, float r2) {
 // Distribution per steradian, normalised: its integral against the cosine is 1.
 // tan2, sec2: squared tangent and 1 / squared cosine of the angle between normal and half vector.
 // With the cosine at least COS_MIN of a vector no longer than 2: tan2 <= sec2 <= 2^44, tan2 / m2 <= 2^64 and
-// sec2^2 / m2 <= 2^108: all finite, and exp of so much below zero is 0.
+// sec2^2 / m2 <= 2^108: all finite. Vulkan bounds exp by 3 + 2 |x| units in the last place, which says nothing for
+// a large x; beyond 87 it is below the least normal number (e^-87.3 = 2^-126), and taken as 0.
 float D_Beckmann(float tan2, float sec2, float m2) {
-    return exp(-tan2 / m2) * sec2 * sec2 * INV_PI / m2;
+    float x = tan2 / m2;
+    return x < 87.0 ? exp(-x) * sec2 * sec2 * INV_PI / m2 : 0.0;
 }

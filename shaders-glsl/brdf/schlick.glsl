@@ -1,7 +1,8 @@
 // How much does an interface reflect? Schlick 1994, with a colour at normal incidence.
 
 // Reflectance at grazing. No interface, no reflection: below f0 = 0.02, less than any real dielectric has, it
-// falls to 0 with f0 (Lagarde and de Rousiers 2014, section 3.2, occlusion packed into f0).
+// falls to 0 with f0. After Lagarde and de Rousiers 2014, section 3.2; the largest channel stands for their mean, so
+// that a saturated colour keeps its grazing reflection.
 float f90_of(vec3 f0) {
     return min(1.0, 50.0 * max(max(f0.r, f0.g), f0.b));
 }

@@ -5,7 +5,8 @@
 // Mean radiance over the cosine-weighted hemisphere about N. Exact: a plane tilted by t sees the share
 // (1 + cos t) / 2 of a uniform sky, and the rest is ground. Times the albedo it is Lambert's radiance.
 vec3 hemisphere_diffuse(vec3 sky, vec3 ground, vec3 N) {
-    return mix(ground, sky, 0.5 + 0.5 * N.y);
+    // A unit vector of 32 bits may be longer than 1 by some 1e-7, and a share must not pass 1.
+    return mix(ground, sky, clamp(0.5 + 0.5 * N.y, 0.0, 1.0));
 }
 
 // Radiance that the facets of roughness m > 0 mirror to E. An approximation: the mirror direction, lifted towards N
@@ -16,5 +17,6 @@ vec3 hemisphere_diffuse(vec3 sky, vec3 ground, vec3 N) {
 vec3 hemisphere_specular(vec3 sky, vec3 ground, vec3 N, vec3 E, float NoE, float m) {
     vec3 lifted = reflect(-E, N) + N * (1.5 * m * m / (m + max(NoE, 0.0)));
     float width2 = 0.64 * m * m * max(dot(lifted, lifted), 1.0e-3);
-    return mix(ground, sky, 0.5 + 0.5 * lifted.y * inversesqrt(lifted.y * lifted.y + width2));
+    float height = lifted.y * inversesqrt(lifted.y * lifted.y + width2);
+    return mix(ground, sky, clamp(0.5 + 0.5 * height, 0.0, 1.0));
 }

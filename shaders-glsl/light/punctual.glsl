@@ -9,6 +9,9 @@ const float DISTANCE2_MAX = 8.507059173023462e37;  // 2^126
 // largest value (1 / (4 pi M_MIN^2 COS_MIN), 2^39) and a million lights stay finite.
 const float ILLUMINANCE_MAX = 1.8446744073709552e19; // 2^64
 
+// Keeps the cap below 2^124; so far away nothing comes near it.
+const float CAPPED2_MAX = 1.152921504606847e18; // 2^60
+
 struct Incident {
     vec3 L;           // unit, to the lamp
     vec3 illuminance; // at normal incidence, lx
@@ -30,7 +33,10 @@ bool incident_from(
     vec3 L = d * inversesqrt(distance2);
     float cone = clamp(cone_scale * -dot(axis, L) + cone_offset, 0.0, 1.0);
     float radius2 = radius * radius;
-    vec3 illuminance = intensity * (cone * cone) / max(distance2, radius2);
-    incident = Incident(L, min(illuminance, vec3(ILLUMINANCE_MAX)), min(radius2 / distance2, 1.0));
+    float nearest2 = max(distance2, radius2);
+    // The cap stands before the division, whose result could be infinite.
+    vec3 most = vec3(ILLUMINANCE_MAX * min(nearest2, CAPPED2_MAX));
+    vec3 illuminance = min(intensity * (cone * cone), most) / nearest2;
+    incident = Incident(L, illuminance, radius2 / nearest2);
     return reached && cone > 0.0;
 }

@@ -1,6 +1,5 @@
 // Which numbers do several lighting functions share?
 
-const float PI = 3.14159265358979;
 const float INV_PI = 0.318309886183791;
 
 // Below this a cosine of two unit vectors is rounding noise, and nothing is reflected: three products and

@@ -99,7 +99,7 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
     let rendered = render(arguments, &device, &scene);
     // Also, and above all, where the frame failed.
     let messages = device.instance().validation_log().drain();
-    say(arguments, &messages);
+    messages.iter().for_each(talk);
     let (image, frame) = rendered?;
     let defects = image.defects();
     let bytes = encode(arguments, &scene, &image, picture.format)?;
@@ -282,7 +282,8 @@ fn describe(path: String, arguments: &Arguments, picture: &Picture, defects: &De
 /// What makes a written picture a failure all the same.
 fn judge(messages: usize, defects: &Defects) -> Result<(), Failure> {
     if messages > 0 {
-        let message = format!("the validation layers had {messages} messages");
+        let number = count(messages as u64, "message");
+        let message = format!("the validation layers had {number}");
         return Err(Failure::new(Exit::Validation, message));
     }
     if let Some((x, y)) = defects.first {
@@ -384,5 +385,158 @@ fn exposure(text: &str) -> Result<f32, String> {
         // Beyond it 2^EV leaves the range of f32.
         Ok(ev) if ev.abs() <= 100.0 => Ok(ev),
         _ => Err("it is a number from -100 to 100".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CLEAN: Defects = Defects {
+        nan: 0,
+        infinite: 0,
+        negative: 0,
+        first: None,
+    };
+    const BROKEN: Defects = Defects {
+        nan: 3,
+        infinite: 2,
+        negative: 1,
+        first: Some((7, 5)),
+    };
+
+    fn ended(done: Result<(), Failure>) -> (Option<Exit>, String) {
+        match done {
+            Ok(()) => (None, String::new()),
+            Err(failure) => (Some(failure.exit), failure.message),
+        }
+    }
+
+    #[test]
+    fn messages_end_with_4_and_nan_with_5_and_messages_come_first() {
+        assert_eq!(ended(judge(0, &CLEAN)).0, None);
+        // Negative values alone are the picture's own affair.
+        let negative = Defects {
+            negative: 9,
+            ..CLEAN
+        };
+        assert_eq!(ended(judge(0, &negative)).0, None);
+        let (exit, message) = ended(judge(12, &CLEAN));
+        assert_eq!(exit, Some(Exit::Validation));
+        assert!(message.contains("12 messages"), "{message}");
+        let (exit, message) = ended(judge(0, &BROKEN));
+        assert_eq!(exit, Some(Exit::NotFinite));
+        for words in ["3 pixels hold a NaN", "2 an infinity", "column 7, row 5"] {
+            assert!(message.contains(words), "{message}");
+        }
+        assert_eq!(ended(judge(12, &BROKEN)).0, Some(Exit::Validation));
+    }
+
+    #[test]
+    fn each_code_is_the_designs() {
+        let codes = [
+            Exit::Usage,
+            Exit::Device,
+            Exit::Validation,
+            Exit::NotFinite,
+            Exit::File,
+        ];
+        assert_eq!(codes.map(|code| code as u8), [2, 3, 4, 5, 6]);
+    }
+
+    #[test]
+    fn what_the_device_refuses_ends_as_who_asked_for_it() {
+        let beyond = || gpu::Error::BeyondLimit {
+            what: "materials".into(),
+            value: 2,
+            limit: 1,
+            device: "a card".into(),
+        };
+        let memory = gpu::Error::Memory {
+            what: "shading: colour".into(),
+            bytes: 1 << 40,
+            reason: "none left".into(),
+        };
+        let samples = gpu::Error::NoSuchSampleCount {
+            wanted: 8,
+            available: "1, 4".into(),
+            device: "a card".into(),
+        };
+        let exit = |error: render::RenderError| Failure::from(error).exit;
+        // The size and the samples are the command line's, the materials the scene's.
+        assert_eq!(exit(render::RenderError::Gpu(beyond())), Exit::Usage);
+        assert_eq!(exit(render::RenderError::Gpu(memory)), Exit::Usage);
+        assert_eq!(exit(render::RenderError::Gpu(samples)), Exit::Usage);
+        assert_eq!(exit(render::RenderError::Scene(beyond())), Exit::File);
+        let lost = gpu::Error::NoValidationLayer;
+        assert_eq!(exit(render::RenderError::Gpu(lost)), Exit::Device);
+        let message = Failure::from(render::RenderError::Scene(beyond())).message;
+        assert!(message.contains("materials is 2"), "{message}");
+    }
+
+    #[test]
+    fn a_size_is_two_numbers_of_digits() {
+        assert_eq!(size("1280x720"), Ok((1280, 720)));
+        assert_eq!(size("1X1"), Ok((1, 1)));
+        assert_eq!(size("4294967295x0007"), Ok((u32::MAX, 7)));
+        for text in ["0x1", "1x0", "0x0"] {
+            assert!(
+                size(text).is_err_and(|e| e.contains("at least one pixel")),
+                "{text}"
+            );
+        }
+        for text in [
+            "",
+            "x",
+            "8",
+            "8x",
+            "x8",
+            "+8x8",
+            "8x+8",
+            "-8x8",
+            " 8x8",
+            "8x8 ",
+            "8x8x8",
+            "8.0x8",
+            "4294967296x8",
+            "8\u{d7}8",
+            "0x8x8",
+        ] {
+            assert!(size(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn samples_and_exposure_have_their_ranges() {
+        for count in [1, 2, 4, 8] {
+            assert_eq!(samples(&count.to_string()).map(Samples::count), Ok(count));
+        }
+        for text in ["", "0", "3", "16", "-4", "four", "4.0"] {
+            assert!(samples(text).is_err(), "{text}");
+        }
+        assert_eq!(exposure("-100"), Ok(-100.0));
+        assert_eq!(exposure("1e1"), Ok(10.0));
+        for text in ["", "nan", "inf", "-inf", "100.1", "ten"] {
+            assert!(exposure(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_picture_is_named_after_the_scene_and_lies_where_the_user_is() {
+        for (scene, picture) in [
+            ("zoo.toml", "zoo.png"),
+            ("scenes/zoo.toml", "zoo.png"),
+            ("/a/b.c.obj", "b.c.png"),
+            ("..", "picture.png"),
+        ] {
+            assert_eq!(default_output(Path::new(scene)), Path::new(picture));
+        }
+    }
+
+    #[test]
+    fn one_has_no_plural() {
+        assert_eq!(count(1, "draw"), "1 draw");
+        assert_eq!(count(0, "draw"), "0 draws");
+        assert_eq!(count(2, "draw"), "2 draws");
     }
 }

@@ -74,6 +74,16 @@ pub enum RenderError {
     TooMany(#[from] TooMany),
 }
 
+impl RenderError {
+    /// What went wrong while the scene was uploaded: a limit that it passes is the scene's own fault.
+    fn of_scene(error: gpu::Error) -> Self {
+        match error {
+            gpu::Error::BeyondLimit { .. } | gpu::Error::Memory { .. } => Self::Scene(error),
+            error => Self::Gpu(error),
+        }
+    }
+}
+
 /// The device, the layout that all its pipelines share, and the pipelines made so far.
 pub struct Renderer {
     device: Arc<Device>,
@@ -124,7 +134,7 @@ impl Renderer {
         let mut readback = targets.readback(&self.device)?;
         let aspect = width as f32 / height as f32;
         let buffers =
-            SceneBuffers::new(&self.device, scene, &list, aspect).map_err(RenderError::Scene)?;
+            SceneBuffers::new(&self.device, scene, &list, aspect).map_err(RenderError::of_scene)?;
         let set = buffers.set(&self.layout)?;
         let before = Instant::now();
         let pipelines_before = self.device.pipelines_created();

@@ -116,6 +116,56 @@ mod tests {
         );
     }
 
+    /// By hand, from the specification's formula; above 0.8 - F90 = 0.76, d = 1 - 0.76 = 0.24.
+    #[test]
+    fn neutral_compresses_and_desaturates_as_the_specification_says() {
+        let cases = [
+            // White: min 1 >= 0.08, so less 0.04: 0.96. Its peak becomes
+            // 1 - 0.24^2 / (0.96 + 0.24 - 0.76) = 1 - 0.0576 / 0.44 = 0.869091; grey stays grey.
+            ([1.0, 1.0, 1.0], [0.869_091, 0.869_091, 0.869_091]),
+            // In the toe: min 0.04, less 0.04 - 6.25 * 0.04^2 = 0.03: (0.97, 0.47, 0.01). The peak
+            // becomes 1 - 0.0576 / 0.45 = 0.872, all are scaled by 0.872 / 0.97 = 0.898969: (0.872,
+            // 0.422515, 0.008990). White share 1 - 1 / (0.15 (0.97 - 0.872) + 1) = 1 - 1 / 1.0147 =
+            // 0.014487: 0.422515 + 0.449485 * 0.014487 = 0.429027, 0.008990 + 0.863010 * 0.014487.
+            ([1.0, 0.5, 0.04], [0.872, 0.429_027, 0.021_492]),
+            // Bright orange, visibly paler: (4, 2, 0.5). The peak becomes 1 - 0.0576 / 3.48 =
+            // 0.983448, the scale 0.245862: (0.983448, 0.491724, 0.122931). White share 1 - 1 /
+            // (0.15 * 3.016552 + 1) = 1 - 1 / 1.452483 = 0.311524: 0.491724 + 0.491724 * 0.311524 =
+            // 0.644908, 0.122931 + 0.860517 * 0.311524 = 0.391003. Blue to red was 1:8, is 2:5.
+            ([4.04, 2.04, 0.54], [0.983_448, 0.644_908, 0.391_003]),
+        ];
+        for (color, want) in cases {
+            for (got, want) in neutral(color).into_iter().zip(want) {
+                // A unit of the last digit written above.
+                assert!((got - want).abs() < 2e-6, "{color:?}: {got} for {want}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_black_or_white_and_touches_no_other_channel() {
+        let codes = |pixel, tone_mapping| {
+            let picture = Picture {
+                width: 1,
+                height: 1,
+                pixels: vec![pixel],
+            };
+            srgb_codes(&picture, -0.263_034_4, tone_mapping)
+        };
+        // 1.2 * 2^EV100 is 1.
+        for tone_mapping in [ToneMapping::None, ToneMapping::Neutral] {
+            let good = codes([0.5, 0.3, 0.2, 1.0], tone_mapping);
+            let nan = codes([f32::NAN, 0.3, 0.2, 1.0], tone_mapping);
+            assert_eq!(nan, [0, good[1], good[2]]);
+            let infinite = codes([f32::INFINITY; 4], tone_mapping);
+            assert_eq!(infinite, [255; 3]);
+            assert_eq!(
+                codes([-1.0, f32::NEG_INFINITY, 0.0, 1.0], tone_mapping),
+                [0; 3]
+            );
+        }
+    }
+
     #[test]
     fn exposure_puts_its_luminance_at_one() {
         assert!((exposure_factor(10.0) * 1.2 * 1024.0 - 1.0).abs() < 1e-6);

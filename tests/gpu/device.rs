@@ -1,9 +1,10 @@
 //! Is the device chosen as asked, and are its limits kept?
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use umber::gpu::{Buffer, BufferUse, Error, Samples, Upload};
-use umber::render::{RenderError, Settings, Variant};
+use umber::render::{RenderError, Renderer, Settings, Variant};
 
 use crate::harness::with_gpu;
 use crate::patches::{DARK, Patch, Patches, material};
@@ -17,18 +18,25 @@ fn settings(width: u32, height: u32) -> Settings {
     }
 }
 
-#[test]
-fn a_size_of_0_or_beyond_the_device_is_refused_with_its_limit() {
-    let scene = Patches {
+fn one_patch() -> umber::scene::Scene {
+    let patches = Patches {
         to_eye: glam::Vec3::Z,
         lights: Vec::new(),
-        ambient: DARK,
+        ambient: umber::scene::Ambient {
+            sky: [1.0; 3],
+            ..DARK
+        },
         patches: vec![Patch {
             normal: glam::Vec3::Z,
             material: material([0.5; 3], [0.04; 3], 0.5),
         }],
-    }
-    .scene();
+    };
+    patches.scene()
+}
+
+#[test]
+fn a_size_of_0_or_beyond_the_device_is_refused_with_its_limit() {
+    let scene = one_patch();
     with_gpu(|gpu| {
         for (width, height) in [(0, 8), (8, 0), (1 << 20, 8), (8, u32::MAX)] {
             let refused = gpu.renderer.render(&scene, &settings(width, height));
@@ -77,4 +85,50 @@ fn a_device_outlives_its_last_handle_but_not_its_objects() -> Result<(), Error> 
         assert_eq!(Arc::strong_count(&gpu.device), before);
         Ok(())
     })
+}
+
+/// The one file in a folder of caches.
+fn cache_file(folder: &Path) -> std::io::Result<PathBuf> {
+    let files = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
+    assert_eq!(files.len(), 1, "{files:?}");
+    Ok(files[0].path())
+}
+
+#[test]
+fn pipelines_are_kept_on_disk_and_a_damaged_file_costs_nothing_but_time()
+-> Result<(), Box<dyn std::error::Error>> {
+    let root = tempfile::tempdir()?;
+    let folder = root.path().join("made").join("as needed");
+    let scene = one_patch();
+    let picture = |folder: &Path| {
+        with_gpu(|gpu| {
+            let renderer = Renderer::new(&gpu.device, Some(folder))?;
+            renderer.render(&scene, &settings(8, 8))
+        })
+    };
+    let (want, _) = picture(&folder)?;
+    assert!(want.at(4, 4)[0] > 0.1);
+    let file = cache_file(&folder)?;
+    let good = std::fs::read(&file)?;
+    let mut flipped = good.clone();
+    let middle = good.len() / 2;
+    flipped[middle] ^= 1;
+    let cut = &good[..middle];
+    for content in [&good[..], &flipped, cut, b"", b"umberPC1", b"\x7fELF"] {
+        std::fs::write(&file, content)?;
+        let (got, report) = picture(&folder)?;
+        assert!(got == want && report.pipelines_created == 1);
+        // Whole again, and alone.
+        assert_eq!(cache_file(&folder)?, file);
+        let kept = std::fs::read(&file)?;
+        assert!(
+            kept.starts_with(b"umberPC1") && kept.len() > 16,
+            "{}",
+            kept.len()
+        );
+    }
+    // A place where no folder can be.
+    let (got, _) = picture(&file.join("not a folder"))?;
+    assert!(got == want);
+    Ok(())
 }

@@ -81,22 +81,19 @@ fn a_sample_count_works_or_the_device_lists_those_it_has() -> Tested {
         let name = format!("{samples}.png");
         let arguments = ["scene.toml", "--size", "8x8", "--samples", samples];
         let run = place.render(&[&arguments[..], &["-o", &name, "--json"]].concat())?;
-        if run.code == Some(0) {
+        let works = run.code == Some(0);
+        if works {
             let report: Value = serde_json::from_slice(&run.stdout)?;
             assert_eq!(report["image"]["samples"].to_string(), samples);
         } else {
             // Vulkan promises 1 and 4.
             assert!(["2", "8"].contains(&samples), "{}", run.stderr);
             let lacks = format!("no {samples}x multisampling");
-            run.ends(2, &[&lacks, "it has 1, 4"]);
+            run.ends(2, &[&lacks, "it has 1, "]);
         }
-        assert_eq!(place.path(&name).exists(), run_wrote(&place, &name)?);
+        assert_eq!(place.path(&name).exists(), works, "{name}");
     }
     Ok(())
-}
-
-fn run_wrote(place: &Place, name: &str) -> std::io::Result<bool> {
-    Ok(place.names()?.iter().any(|found| found == name))
 }
 
 #[test]
@@ -152,7 +149,11 @@ fn a_device_that_is_not_here_ends_with_3_and_lists_those_that_are() -> Tested {
     let list = place.umber(&["devices", "--json"])?.ends(0, &[]).stdout;
     let list: Value = serde_json::from_slice(&list)?;
     let name = list["devices"][0]["name"].as_str().ok_or("a name")?;
-    for selector in ["voodoo", "99", "00112233-4455-6677-8899-aabbccddeeff"] {
+    // One digit beside the real one.
+    let uuid = list["devices"][0]["uuid"].as_str().ok_or("a UUID")?;
+    let (most, last) = uuid.split_at(uuid.len() - 1);
+    let other = format!("{most}{}", if last == "0" { "1" } else { "0" });
+    for selector in ["voodoo", "99", &other] {
         let run = place.render(&["scene.toml", "--device", selector])?;
         let wanted = selector.replace('-', "");
         run.ends(3, &[&format!("no device fits '{wanted}'"), name]);

@@ -73,6 +73,14 @@ fn the_report_goes_to_a_file_or_to_stdout_as_asked() -> Tested {
     let run = render(&["--json=report.json"])?.ends(0, &[]);
     assert!(run.stdout.is_empty(), "with a file, stdout is left alone");
     assert!(run.stderr.contains("shading: 1 draw,"), "{}", run.stderr);
+    let report: Value = serde_json::from_slice(&std::fs::read(place.path("report.json"))?)?;
+    let software = run.stderr.contains("a software rasteriser");
+    assert_eq!(
+        software,
+        report["device"]["type"] == "cpu",
+        "{}",
+        run.stderr
+    );
     assert_eq!(place.names()?, ["report.json", "scene.png", "scene.toml"]);
     let to_file = keys(&std::fs::read(place.path("report.json"))?)?;
     assert_eq!(to_file, keys(&render(&["--json"])?.ends(0, &[]).stdout)?);
