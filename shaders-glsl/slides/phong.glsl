@@ -9,7 +9,7 @@ float PhongDiffuse(vec3 N, vec3 L) {
 }
 
 // pow(0, 0) is undefined: a cosine that is rounding noise gives no highlight, whatever the exponent.
-// The cosine is held to 1, so that a large exponent cannot raise 1.0000001 to infinity.
+// The cosine is held to 1: a rounding above it would grow with the exponent.
 float PhongSpecular(vec3 N, vec3 L, vec3 E, float shininess) {
     vec3 R = reflect(-L, N);
     float RdE = min(dot(R, E), 1.0);

@@ -18,6 +18,21 @@ pub enum ImageUse {
     TransferSource,
 }
 
+/// What each image was last used for, in one recording.
+#[derive(Default)]
+pub(super) struct ImageUses(Vec<(vk::Image, ImageUse)>);
+
+impl ImageUses {
+    /// Notes that `image` is used for `to` from now on, and says what it was used for before.
+    pub(super) fn next(&mut self, image: vk::Image, to: ImageUse) -> ImageUse {
+        if let Some((_, known)) = self.0.iter_mut().find(|(known, _)| *known == image) {
+            return std::mem::replace(known, to);
+        }
+        self.0.push((image, to));
+        ImageUse::Undefined
+    }
+}
+
 /// The half of a barrier that one use gives: where it happens, what it touches, in which layout.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Half {
@@ -206,8 +221,21 @@ mod tests {
     }
 
     #[test]
+    fn each_image_remembers_its_own_last_use() {
+        use vk::Handle;
+        let (a, b) = (vk::Image::from_raw(1), vk::Image::from_raw(2));
+        let mut uses = ImageUses::default();
+        assert_eq!(uses.next(a, ColorTarget), Undefined);
+        assert_eq!(uses.next(b, DepthTarget), Undefined);
+        assert_eq!(uses.next(a, TransferSource), ColorTarget);
+        assert_eq!(uses.next(a, ColorTarget), TransferSource);
+        assert_eq!(uses.next(b, DepthTarget), DepthTarget);
+    }
+
+    #[test]
     fn a_readback_is_made_visible_to_the_host() {
         let b = after_copy(vk::Buffer::null(), true);
+        assert_eq!(b.src_stage_mask, Stage::COPY);
         assert_eq!(b.src_access_mask, Access::TRANSFER_WRITE);
         assert_eq!(
             (b.dst_stage_mask, b.dst_access_mask),

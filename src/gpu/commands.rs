@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use ash::vk;
 
-use super::barriers::{self, ImageUse};
+use super::barriers::{self, ImageUse, ImageUses};
 use super::buffer::{Buffer, BufferUse};
 use super::device::Device;
 use super::error::{Error, Named};
@@ -22,7 +22,7 @@ use super::timestamps::Timestamps;
 pub struct Recorder<'a> {
     pub(super) commands: vk::CommandBuffer,
     pool: vk::CommandPool,
-    images: Vec<(vk::Image, ImageUse)>,
+    images: ImageUses,
     passes: Vec<PassCounts>,
     pub(super) device: Arc<Device>,
     used: PhantomData<&'a mut ()>,
@@ -44,7 +44,7 @@ impl<'a> Recorder<'a> {
         let mut recorder = Self {
             commands: vk::CommandBuffer::null(),
             pool,
-            images: Vec::new(),
+            images: ImageUses::default(),
             passes: Vec::new(),
             device: Arc::clone(device),
             used: PhantomData,
@@ -176,14 +176,7 @@ impl<'a> Recorder<'a> {
     }
 
     fn transition(&mut self, image: &'a Image, to: ImageUse) {
-        let known = self.images.iter_mut().find(|(raw, _)| *raw == image.raw);
-        let from = match known {
-            Some((_, state)) => std::mem::replace(state, to),
-            None => {
-                self.images.push((image.raw, to));
-                ImageUse::Undefined
-            }
-        };
+        let from = self.images.next(image.raw, to);
         let range = whole(image.format());
         let images = [barriers::image_barrier(image.raw, range, from, to)];
         self.barrier(&vk::DependencyInfo::default().image_memory_barriers(&images));

@@ -137,14 +137,8 @@ struct Module<'a> {
 
 impl<'a> Module<'a> {
     fn new(device: &'a Device, Spirv(words): Spirv, name: &str) -> Result<Self, Error> {
-        let preserved;
-        let words = if device.preserves_nan {
-            preserved = spirv::preserve_nan(words);
-            &preserved
-        } else {
-            words
-        };
-        let info = vk::ShaderModuleCreateInfo::default().code(words);
+        let words = spirv::module_words(words, device.preserves_nan);
+        let info = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the words come from the project's own compiler, which validated them.
         let raw = unsafe { device.raw.create_shader_module(&info, None) }
             .named("vkCreateShaderModule")?;

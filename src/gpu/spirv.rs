@@ -4,6 +4,8 @@
 //! SPIR-V 1.4. naga rejects it in the source, and declaring it where the device does not report it is
 //! a validation error, so it is added to the words here.
 
+use std::borrow::Cow;
+
 const MAGIC: u32 = 0x0723_0203;
 const HEADER_WORDS: usize = 5;
 const OP_CAPABILITY: u32 = 17;
@@ -13,9 +15,18 @@ const CAPABILITY: u32 = 4466;
 const EXECUTION_MODE: u32 = 4461;
 const FLOAT_BITS: u32 = 32;
 
+/// The module that a device is given: with NaN preserved, if it can.
+pub(super) fn module_words(words: &[u32], preserves_nan: bool) -> Cow<'_, [u32]> {
+    if preserves_nan {
+        preserve_nan(words).into()
+    } else {
+        words.into()
+    }
+}
+
 /// The same module with 32-bit NaN, infinity and signed zero preserved in every entry point.
 /// Words that are not a SPIR-V module come back as they are: the driver will say so.
-pub(super) fn preserve_nan(words: &[u32]) -> Vec<u32> {
+fn preserve_nan(words: &[u32]) -> Vec<u32> {
     if words.first() != Some(&MAGIC) || words.len() < HEADER_WORDS {
         return words.to_vec();
     }
@@ -75,6 +86,14 @@ mod tests {
         ]
         .concat();
         assert_eq!(preserve_nan(&module), expected);
+    }
+
+    #[test]
+    fn only_a_device_that_can_is_asked_to() {
+        let module = [MAGIC, 0x0001_0600, 0, 100, 0];
+        assert_eq!(*module_words(&module, false), module);
+        assert_eq!(*module_words(&module, true), preserve_nan(&module));
+        assert!(module_words(&module, true).len() > module.len());
     }
 
     #[test]

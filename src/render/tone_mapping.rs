@@ -85,7 +85,14 @@ mod tests {
     #[test]
     fn srgb_codes_are_the_standards() {
         // Middle grey 0.2140 is code 127.5 or so by the standard's curve; the ends are exact.
-        for (linear, code) in [(0.0, 0), (1.0, 255), (0.5, 188), (0.214, 127), (0.002, 7)] {
+        for (linear, code) in [
+            (0.0, 0),
+            (1.0, 255),
+            (0.5, 188),
+            (0.214, 127),
+            (0.002, 7),
+            (0.02, 39),
+        ] {
             assert_eq!(srgb_code(linear), code, "{linear}");
         }
         assert_eq!(srgb_code(-1.0), 0);

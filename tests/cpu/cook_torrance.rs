@@ -185,3 +185,19 @@ fn the_lobe_vanishes_smoothly_at_the_horizon() {
     let near = lobe(N, spherical(FRAC_PI_2 - cos, 0.0), l, 0.5, DVec3::ONE).x;
     assert!((0.0..10.0 * cos).contains(&near), "{near}");
 }
+
+/// A pixel cannot show a guard away from N.E = 0, where N.E cancels against G: so the text is held.
+#[test]
+fn the_listing_has_no_guard() {
+    let text = include_str!("../../shaders-glsl/slides/cook_torrance.glsl");
+    for line in [
+        "float NdL = max( 0.0f, dot( N, L ) );",
+        "float NdE = max( 0.0f, dot( N, E ) );",
+        "float R2 = Roughness * Roughness;",
+        "float HdE = dot( H, E );",
+        "float F = mix( pow( 1 - HdE, 5 ), 1, FresnelScale );",
+        "float CookTorrance = max( (D*G*F) / (NdE * pi), 0.0f );",
+    ] {
+        assert!(text.contains(line), "{line}");
+    }
+}

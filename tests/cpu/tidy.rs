@@ -241,8 +241,8 @@ fn dependencies_say_why() {
 
 #[test]
 fn the_top_level_is_closed() {
-    let names = ["src", "out", "notes.txt"].map(str::to_owned);
-    let found = check_top_level(&names, "/target\n/out\n");
+    let names = ["src", "out", "zoo.png", "notes.txt"].map(str::to_owned);
+    let found = check_top_level(&names, "/target\n/out\n/*.png\n");
     assert_eq!(found.len(), 1);
     assert!(found[0].starts_with("notes.txt:"), "{found:?}");
 }

@@ -99,6 +99,19 @@ fn triangles_of_one_glass_object_blend_far_to_near() {
     mesh.indices.extend([4, 5, 6, 4, 6, 7]);
     let got = middle_pixel(&scene);
     assert_eq!(got, [1.5, 0.0, 0.0, 0.75], "both sheets are seen");
+    // Turned about, the sheet that was far is near.
+    scene.objects[0].transform = glam::Affine3A::from_rotation_y(std::f32::consts::PI);
+    let got = middle_pixel(&scene);
+    assert_eq!(got, [1.5, 0.0, 0.0, 0.75], "sorted where they stand");
+}
+
+#[test]
+fn of_two_opaque_faces_in_one_place_the_first_stays() {
+    let sheets = [
+        (0.0, sheet(1.0, [1.0, 0.0, 0.0])),
+        (0.0, sheet(1.0, [0.0, 1.0, 0.0])),
+    ];
+    assert_eq!(middle_pixel(&stack(&sheets)), [1.0, 0.0, 0.0, 1.0]);
 }
 
 #[test]

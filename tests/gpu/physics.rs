@@ -3,7 +3,7 @@
 use glam::{Quat, Vec3};
 use umber::reference::shade::{Lighting, Terms};
 use umber::render::Variant;
-use umber::scene::{Ambient, Light, LightKind};
+use umber::scene::{Ambient, Light, LightKind, Projection};
 
 use crate::harness::{TERM_SETS, with_gpu};
 use crate::patches::{DARK, Patch, Patches, material, towards};
@@ -83,7 +83,8 @@ fn around() -> Ambient {
 #[test]
 fn a_directional_light_over_roughness_and_angle() {
     let to_eye = Vec3::new(0.3, 0.5, 0.8).normalize();
-    for tilt in [5.0_f32, 35.0, 70.0] {
+    // At 120 degrees Phong's mirror direction points behind the surface.
+    for tilt in [5.0_f32, 35.0, 70.0, 120.0] {
         let away = Quat::from_axis_angle(to_eye.any_orthonormal_vector(), tilt.to_radians());
         let patches = Patches {
             to_eye,
@@ -242,14 +243,20 @@ fn no_input_makes_a_corrected_pixel_that_is_no_number() {
             ambient: around(),
             patches: patches.clone(),
         };
-        // A lamp on one of the patches, and one that is larger than its distance.
-        for (position, radius) in [(patches.middle(0), 1e-3), (patches.middle(9), 5.0)] {
+        // Lamps on a patch, as near as f32 has it, larger than their distance, and beyond all reach.
+        let lamps = [
+            (patches.middle(0), 1e-3),
+            (patches.middle(0) + to_eye * 1e-16, 1e-18),
+            (patches.middle(9), 5.0),
+            (to_eye * 1e19, 1.0),
+        ];
+        for (position, radius) in lamps {
             patches.lights.push(Light {
                 name: "on the surface".into(),
                 color: [1.0; 3],
                 kind: LightKind::Point {
                     position,
-                    intensity: 1.0,
+                    intensity: 1e12,
                     radius,
                 },
             });
@@ -259,5 +266,99 @@ fn no_input_makes_a_corrected_pixel_that_is_no_number() {
             let good = pixel.iter().all(|value| value.is_finite() && *value >= 0.0);
             assert!(good, "{pixel:?} from {patch:?}, light towards {to_light:?}");
         }
+    }
+}
+
+#[test]
+fn a_faint_interface_fades_at_grazing_too() {
+    // Below 2 %, and the largest channel is not the first.
+    let to_eye = Vec3::Z;
+    let mut patches = cases(to_eye, 85.0);
+    for patch in &mut patches {
+        patch.material.f0 = [0.002, 0.01, 0.0];
+    }
+    let patches = Patches {
+        to_eye,
+        lights: vec![towards(Vec3::new(0.6, 0.0, 0.8), [1.0; 3])],
+        ambient: around(),
+        patches,
+    };
+    assert_predicted(&patches, Variant::default(), tolerances::CORRECTED_PIXEL);
+}
+
+#[test]
+fn inside_a_lamp_light_stops_growing() {
+    let to_eye = Vec3::Z;
+    let lamp = Light {
+        name: "larger than its distance".into(),
+        color: [1.0; 3],
+        kind: LightKind::Point {
+            position: Vec3::new(0.5, 0.5, 6.0),
+            intensity: 900.0,
+            radius: 40.0,
+        },
+    };
+    let patches = Patches {
+        to_eye,
+        lights: vec![lamp],
+        ambient: DARK,
+        patches: cases(to_eye, 60.0),
+    };
+    assert_predicted(&patches, Variant::default(), tolerances::CORRECTED_PIXEL);
+}
+
+#[test]
+fn no_normal_faces_the_eye_and_roughness_stops_at_1() {
+    let to_eye = Vec3::new(0.6, 0.0, 0.8);
+    let patch = |normal, roughness| Patch {
+        normal,
+        material: material([0.5; 3], [0.04; 3], roughness),
+    };
+    let patches = Patches {
+        to_eye,
+        lights: vec![towards(Vec3::Z, [1.0; 3])],
+        ambient: around(),
+        patches: vec![
+            patch(Vec3::ZERO, 0.5),
+            patch(to_eye, 0.5),
+            patch(Vec3::Z, 1.5),
+            patch(Vec3::Z, 1.0),
+        ],
+    };
+    let got = with_gpu(|gpu| patches.rendered(gpu, Variant::default()));
+    for (a, b) in [(0, 1), (2, 3)] {
+        for (a, b) in got[a].into_iter().zip(got[b]) {
+            let near = tolerances::CORRECTED_PIXEL.holds(f64::from(a), f64::from(b));
+            assert!(near, "{a} and {b}");
+        }
+    }
+}
+
+#[test]
+fn a_perspective_eye_is_a_place() {
+    let to_eye = Vec3::new(0.3, 0.5, 0.8).normalize();
+    let patches = Patches {
+        to_eye,
+        lights: vec![towards(Vec3::Z, [1.0; 3])],
+        ambient: around(),
+        patches: vec![Patch {
+            normal: Vec3::Z,
+            material: material([0.5; 3], [0.3; 3], 0.3),
+        }],
+    };
+    // Off the origin, where a position is not a direction.
+    let away = Vec3::new(5.0, -3.0, 2.0);
+    let mut scene = patches.scene();
+    scene.camera.projection = Projection::Perspective {
+        vertical_fov_degrees: 4.0,
+    };
+    scene.camera.position += away;
+    scene.camera.target += away;
+    scene.objects[0].transform.translation += glam::Vec3A::from(away);
+    let got = with_gpu(|gpu| gpu.render(&scene, (3, 3), Variant::default())).at(1, 1);
+    let want = patches.predicted(0, Variant::default());
+    for (got, want) in got.into_iter().zip(want) {
+        let near = tolerances::CORRECTED_PIXEL.holds(f64::from(got), want);
+        assert!(near, "{got} for {want}");
     }
 }

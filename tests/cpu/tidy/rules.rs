@@ -330,10 +330,16 @@ pub fn check_dependencies(path: &str, text: &str) -> Vec<String> {
 
 /// The top level is short enough to be read.
 pub fn check_top_level(names: &[String], ignored: &str) -> Vec<String> {
-    let ignored: Vec<&str> = ignored.lines().map(|line| line.trim_matches('/')).collect();
+    let ignores = |name: &str| {
+        ignored.lines().any(|line| {
+            let pattern = line.trim_matches('/');
+            let ending = pattern.strip_prefix('*');
+            pattern == name || ending.is_some_and(|ending| name.ends_with(ending))
+        })
+    };
     names
         .iter()
-        .filter(|name| !TOP_LEVEL.contains(&name.as_str()) && !ignored.contains(&name.as_str()))
+        .filter(|name| !TOP_LEVEL.contains(&name.as_str()) && !ignores(name))
         .map(|name| {
             finding(
                 name,

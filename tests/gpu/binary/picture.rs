@@ -40,6 +40,9 @@ fn a_render_writes_its_picture_and_the_whole_report() -> Tested {
     for key in ["first_draw_ms", "record_ms", "submit_to_idle_ms", "gpu_ms"] {
         assert!(report["frame"][key].as_f64() > Some(0.0), "frame.{key}");
     }
+    // Both clocks saw the same work; milliseconds, both of them.
+    let whole = report["frame"]["submit_to_idle_ms"].as_f64();
+    assert!(report["frame"]["gpu_ms"].as_f64() < whole.map(|ms| 2.0 * ms));
     let image = &report["image"];
     assert_eq!(image["path"], "scene.png");
     for (key, count) in [
