@@ -152,6 +152,7 @@ fn load_options(arguments: &Arguments) -> LoadOptions {
     LoadOptions {
         overrides: arguments.set.clone(),
         progress: !arguments.quiet,
+        aspect: arguments.size.0 as f32 / arguments.size.1 as f32,
     }
 }
 

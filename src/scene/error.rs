@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use super::quote;
+
 /// A scene that could not be read. Its text says what is wrong, where, and what to do about it.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -38,6 +40,13 @@ impl Error {
         Self::File {
             place,
             message: message.into(),
+        }
+    }
+
+    /// What is wrong, without the place.
+    pub(super) fn into_message(self) -> String {
+        match self {
+            Self::Override { message, .. } | Self::File { message, .. } => message,
         }
     }
 
@@ -84,7 +93,7 @@ impl Place {
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.path.display())?;
+        f.write_str(&quote::path(&self.path))?;
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }

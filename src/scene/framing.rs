@@ -1,14 +1,15 @@
 //! From where, and in which light, is a scene shown that does not say so itself?
 //!
 //! The camera stands in front, a little to the right and above, far enough that the sphere around
-//! all models fits the picture's height. Three directional lights in the manner of a portrait
+//! all models fits the picture's height and width. Three directional lights in the manner of a portrait
 //! studio (key, fill, rim) and a soft ambient are made for the default exposure, so that a white
 //! surface that faces the key light comes out just below white.
 
 use glam::{DMat3, DVec3};
 use indexmap::IndexMap;
 
-use super::camera::{DEFAULT_EV100, DEFAULT_FOV_DEGREES};
+use super::camera::{self, DEFAULT_EV100, DEFAULT_FOV_DEGREES};
+use super::checks::{COORDINATE, FARTHEST};
 use super::description::{
     AmbientText, CameraText, Description, LightKindText, LightText, ProjectionText, Triple,
 };
@@ -34,9 +35,17 @@ const SKY: f64 = 0.12;
 /// The size of the lights as seen from the models, degrees: a softbox of half a metre at 6 m.
 const SOFTBOX_DEGREES: f64 = 5.0;
 
-/// Camera for `bounds`, and lights and ambient if `lit` is false.
-pub(super) fn defaults(bounds: Bounds, camera: Option<&CameraText>, lit: bool) -> Description {
-    let framed = frame(bounds);
+/// Camera for `bounds` in a picture `aspect` times as wide as high, and lights and ambient if `lit`
+/// is false. `camera` is what the scene states, which wins; an error if what it leaves open cannot
+/// be chosen.
+pub(super) fn defaults(
+    bounds: Bounds,
+    camera: Option<&CameraText>,
+    lit: bool,
+    aspect: f64,
+) -> Result<Description, String> {
+    let framed = frame(bounds, aspect);
+    check(bounds, camera, &framed)?;
     let mut light = IndexMap::new();
     let mut ambient = AmbientText::default();
     if !lit {
@@ -50,18 +59,20 @@ pub(super) fn defaults(bounds: Bounds, camera: Option<&CameraText>, lit: bool) -
         ambient.sky = Some(Triple([SKY * white; 3]));
         ambient.ground = Some(Triple([SKY * white / 2.0; 3]));
     }
-    Description {
+    Ok(Description {
         camera: Some(framed),
         ambient: Some(ambient),
         light,
         ..Description::default()
-    }
+    })
 }
 
-fn frame(bounds: Bounds) -> CameraText {
+fn frame(bounds: Bounds, aspect: f64) -> CameraText {
     let center = bounds.center().as_dvec3();
     let radius = f64::from(bounds.radius());
-    let half_angle = (DEFAULT_FOV_DEGREES / 2.0).to_radians();
+    let upright = (DEFAULT_FOV_DEGREES / 2.0).to_radians();
+    // The smaller of the angles to the picture's upper edge and to its right one.
+    let half_angle = upright.min((upright.tan() * aspect).atan());
     let distance = MARGIN * radius / half_angle.sin();
     CameraText {
         position: Some((center + TO_EYE.normalize() * distance).to_array()),
@@ -69,9 +80,41 @@ fn frame(bounds: Bounds) -> CameraText {
         up: Some([0.0, 1.0, 0.0]),
         projection: Some(ProjectionText::Perspective),
         vertical_fov_degrees: Some(DEFAULT_FOV_DEGREES),
-        height: Some(2.0 * MARGIN * radius),
+        height: Some(2.0 * MARGIN * radius / aspect.min(1.0)),
         exposure_ev100: Some(DEFAULT_EV100),
     }
+}
+
+/// Refuses models so large, small or far away that no camera can be chosen where `own` leaves it
+/// open: messages about `camera` would blame keys that nobody wrote.
+fn check(bounds: Bounds, own: Option<&CameraText>, framed: &CameraText) -> Result<(), String> {
+    let remedy = "scale them, or state camera.position, camera.target and camera.height";
+    let size = 2.0 * f64::from(bounds.radius());
+    let open = |key: fn(&CameraText) -> bool| !own.is_some_and(key);
+    let (eye, target) = (open(|c| c.position.is_some()), open(|c| c.target.is_some()));
+    let is_flat = |c: &CameraText| matches!(c.projection, Some(ProjectionText::Orthographic));
+    let height = own.is_some_and(is_flat) && open(|c| c.height.is_some());
+    let beyond = |point: Option<[f64; 3]>| {
+        let mut values = point.into_iter().flatten();
+        values.any(|x| !COORDINATE.contains(x))
+    };
+    if (eye && beyond(framed.position))
+        || (target && beyond(framed.target))
+        || (height && framed.height.is_some_and(|height| height > FARTHEST))
+    {
+        return Err(format!(
+            "the models are too large or too far away to be framed ({size:.1e} m across): {remedy}"
+        ));
+    }
+    let at = |point: Option<[f64; 3]>| DVec3::from(point.unwrap_or_default());
+    let blurred = || camera::direction(at(framed.position), at(framed.target)).is_err();
+    if (eye || height) && (size < 2.0 * camera::SMALLEST) || eye && target && blurred() {
+        return Err(format!(
+            "the models are too small, or too small for their distance from the origin, to be framed \
+             ({size:.1e} m across): {remedy}"
+        ));
+    }
+    Ok(())
 }
 
 /// Lights around the direction to the eye: the key from its left and above, the fill from its

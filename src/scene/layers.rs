@@ -35,7 +35,7 @@ impl Layer {
                 Some(span) => Place::offset(path, &text, span.start),
                 None => Place::file(path),
             },
-            message: suggest::shorten(error.message()),
+            message: suggest::reword(error.message()),
         })?;
         Ok(Self {
             origin: Origin::File(path.to_path_buf(), text),
@@ -53,13 +53,13 @@ impl Layer {
             return Err(refuse("must be one line, KEY=VALUE".to_owned()));
         }
         if let Err(error) = text.parse::<Table>() {
-            let message = suggest::shorten(error.message());
+            let message = suggest::reword(error.message());
             return Err(refuse(format!(
                 "{message}; write KEY=VALUE as in a scene file, with text in quotes: \
                  material.gold.roughness=0.3 or camera.projection=\"orthographic\""
             )));
         }
-        let table = parse(text).map_err(|error| refuse(suggest::shorten(error.message())))?;
+        let table = parse(text).map_err(|error| refuse(suggest::reword(error.message())))?;
         Ok(Self {
             origin: Origin::Set(text.to_owned()),
             table,
@@ -143,7 +143,7 @@ impl Layers {
             merge(&mut all, &layer.table);
         }
         all.try_into()
-            .map_err(|error: toml::de::Error| self.error(&[], suggest::shorten(error.message())))
+            .map_err(|error: toml::de::Error| self.error(&[], suggest::reword(error.message())))
     }
 
     /// An error about the value at `path`, placed where the topmost layer states it, or where the

@@ -6,6 +6,7 @@ use super::checks::{COORDINATE, FARTHEST, LIGHT, Range};
 use super::description::{AmbientText, LightKindText, LightText, Triple};
 use super::error::Error;
 use super::layers::Layers;
+use super::quote;
 
 /// The most lights that a scene may have: each one is evaluated for every pixel.
 pub const MAX_LIGHTS: usize = 256;
@@ -61,7 +62,8 @@ pub enum LightKind {
         radius: f32,
         /// Half-angle of full strength, degrees; less than `outer_degrees`.
         inner_degrees: f32,
-        /// Half-angle beyond which there is no light, degrees, less than 90.
+        /// Half-angle beyond which there is no light, degrees, in [0.5, 90). The cosines of the two
+        /// angles differ by at least 1e-6.
         outer_degrees: f32,
     },
 }
@@ -72,6 +74,11 @@ const SUN_DEGREES: f64 = 0.53;
 const BULB_RADIUS: f64 = 0.05;
 /// A theatre spotlight's usual beam, half-angles in degrees.
 const SPOT_DEGREES: (f64, f64) = (15.0, 20.0);
+/// Half-angles of a spot, degrees: a narrower beam is a laser's, and its edge has no room in f32.
+const OUTER_DEGREES: Range = Range::below(0.5, 90.0);
+/// The least difference between the cosines of a spot's angles. f32 knows a cosine to 6e-8: in less
+/// room the edge would be noise.
+const NARROWEST_EDGE: f64 = 1e-6;
 
 /// Checks a merged `[ambient]`; what is absent is black.
 pub(super) fn build_ambient(text: &AmbientText, layers: &Layers) -> Result<Ambient, Error> {
@@ -131,8 +138,8 @@ impl At<'_> {
             if given && !kinds.contains(&kind) {
                 let path = ["light", self.name, key];
                 let message = format!(
-                    "light.{}.{key}: a {} light has no {key}",
-                    self.name,
+                    "{}: a {} light has no {key}",
+                    quote::key(&path),
                     kind_name(kind)
                 );
                 return Err(self.layers.error(&path, message));
@@ -166,7 +173,8 @@ impl At<'_> {
         let position = self.place("position", text.position)?;
         let direction = match (text.direction, text.target) {
             (Some(_), Some(_)) => {
-                let message = format!("light.{}: give target or direction, not both", self.name);
+                let light = quote::key(&["light", self.name]);
+                let message = format!("{light}: give target or direction, not both");
                 return Err(self.layers.error(&["light", self.name, "target"], message));
             }
             (None, Some(_)) => {
@@ -178,12 +186,22 @@ impl At<'_> {
         let (inner, outer) = SPOT_DEGREES;
         let outer = text.outer_degrees.unwrap_or(outer);
         let inner = text.inner_degrees.unwrap_or(inner.min(outer * 0.75));
-        let outer_degrees = self.needed("outer_degrees", Some(outer), Range::open(0.0, 90.0))?;
+        let outer_degrees = self.needed("outer_degrees", Some(outer), OUTER_DEGREES)?;
         let inner_degrees = self.needed(
             "inner_degrees",
             Some(inner),
             Range::below(0.0, f64::from(outer_degrees)),
         )?;
+        let cos = |degrees: f32| f64::from(degrees).to_radians().cos();
+        if cos(inner_degrees) - cos(outer_degrees) < NARROWEST_EDGE {
+            let path = ["light", self.name, "inner_degrees"];
+            let message = format!(
+                "{} = {inner_degrees} is too near to outer_degrees = {outer_degrees}: their cosines \
+                 must differ by {NARROWEST_EDGE:e}",
+                quote::key(&path)
+            );
+            return Err(self.layers.error(&path, message));
+        }
         Ok(LightKind::Spot {
             position,
             direction,
@@ -222,10 +240,7 @@ impl At<'_> {
             Some(unit) => Ok(unit.as_vec3()),
             None => {
                 let path = ["light", self.name, key];
-                let message = format!(
-                    "light.{}.{key} gives no direction: its length is 0",
-                    self.name
-                );
+                let message = format!("{} gives no direction: its length is 0", quote::key(&path));
                 Err(self.layers.error(&path, message))
             }
         }

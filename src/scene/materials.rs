@@ -6,7 +6,7 @@ use super::checks::{LIGHT, Range, UNIT};
 use super::description::{Description, MaterialText, Triple};
 use super::error::Error;
 use super::layers::Layers;
-use super::suggest;
+use super::{quote, suggest};
 
 /// The numbers of one material. Colours are linear sRGB.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +14,9 @@ pub struct Material {
     pub name: String,
     /// Diffuse reflectance, 0..1; a metal has none.
     pub albedo: [f32; 3],
-    /// Specular reflectance at normal incidence, 0..1.
+    /// Specular reflectance at normal incidence: 0, or 1e-6..1. What lies between becomes 0: it
+    /// reflects nothing that can be seen, and where f0 divides, a subnormal number has no result
+    /// that GLSL defines.
     pub f0: [f32; 3],
     /// Oren-Nayar's sigma and Beckmann's m, 0..1.
     pub roughness: f32,
@@ -36,6 +38,13 @@ pub(super) const DIELECTRIC_F0: f64 = 0.04;
 pub(super) const DEFAULT_ROUGHNESS: f64 = 0.5;
 /// The albedo of a material that states none: the light grey of concrete.
 pub(super) const DEFAULT_ALBEDO: f64 = 0.5;
+
+/// The smallest reflectance that is not 0; see [`Material::f0`].
+const SMALLEST_F0: f32 = 1e-6;
+
+/// The most materials that one is `like`, each of the next: a chain is followed anew for each
+/// material, and nobody reads a longer one.
+const LONGEST_CHAIN: usize = 32;
 
 const SHININESS: Range = Range::closed(0.0, MAX_SHININESS as f64);
 
@@ -105,7 +114,8 @@ impl Palette {
         Ok(Material {
             name: name.to_owned(),
             albedo: color("albedo", text.albedo, DEFAULT_ALBEDO, UNIT)?,
-            f0: color("f0", text.f0, DIELECTRIC_F0, UNIT)?,
+            f0: color("f0", text.f0, DIELECTRIC_F0, UNIT)?
+                .map(|f0| if f0 < SMALLEST_F0 { 0.0 } else { f0 }),
             roughness,
             opacity: layers.number(&at("opacity"), text.opacity.unwrap_or(1.0), UNIT)?,
             emission: color("emission", text.emission, 0.0, LIGHT)?,
@@ -134,7 +144,17 @@ impl Palette {
                 return Err(layers.error(&path, suggest::unknown("material", like, self.names())));
             }
             if visited.contains(&like) {
-                let message = format!("material.{current}.like = '{like}' leads back to itself");
+                let (key, like) = (quote::key(&path), quote::short(like));
+                let message = format!("{key} = '{like}' leads back to itself");
+                return Err(layers.error(&path, message));
+            }
+            if visited.len() > LONGEST_CHAIN {
+                let message = format!(
+                    "{}: from '{}' to here more than {LONGEST_CHAIN} materials are like the next: \
+                     shorten the chain",
+                    quote::key(&path),
+                    quote::short(name)
+                );
                 return Err(layers.error(&path, message));
             }
             visited.push(like);

@@ -1,6 +1,6 @@
 //! What is a triangle mesh, and what box does it fill?
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 
 /// A list of triangles over shared vertices, in metres, counter-clockwise seen from the front.
 ///
@@ -46,6 +46,21 @@ impl Bounds {
         min: Vec3::INFINITY,
         max: Vec3::NEG_INFINITY,
     };
+
+    /// The box around meshes that stand somewhere: numbers of `meshes`, each with its transform.
+    pub(super) fn around<'a>(
+        meshes: &[Mesh],
+        placed: impl Iterator<Item = (usize, &'a Affine3A)>,
+    ) -> Self {
+        let boxes: Vec<Self> = meshes.iter().map(Mesh::bounds).collect();
+        let mut all = Self::EMPTY;
+        for (mesh, transform) in placed {
+            for corner in boxes[mesh].corners() {
+                all.add(transform.transform_point3(corner));
+            }
+        }
+        all
+    }
 
     /// Grows the box to hold `point`.
     pub fn add(&mut self, point: Vec3) {

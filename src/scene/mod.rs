@@ -27,6 +27,7 @@ mod obj_scene;
 mod obj_sieve;
 mod overrides;
 mod paths;
+mod quote;
 pub mod shapes;
 mod suggest;
 mod toml_file;
@@ -74,14 +75,11 @@ pub struct Object {
 impl Scene {
     /// A box around all objects, m.
     pub fn bounds(&self) -> Bounds {
-        let boxes: Vec<Bounds> = self.meshes.iter().map(Mesh::bounds).collect();
-        let mut all = Bounds::EMPTY;
-        for object in &self.objects {
-            for corner in boxes[object.mesh].corners() {
-                all.add(object.transform.transform_point3(corner));
-            }
-        }
-        all
+        let placed = self.objects.iter();
+        Bounds::around(
+            &self.meshes,
+            placed.map(|object| (object.mesh, &object.transform)),
+        )
     }
 
     /// The number of triangles that are drawn: a mesh counts once for each object that uses it.
@@ -92,12 +90,39 @@ impl Scene {
 }
 
 /// How to load a scene.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct LoadOptions {
     /// `KEY=VALUE` lines that change the scene, such as `material.gold.roughness=0.3`.
     pub overrides: Vec<String>,
     /// Shows a progress bar on stderr for OBJ files above 16 MiB, if stderr is a terminal.
     pub progress: bool,
+    /// The picture's width over its height, for the view of a scene that states none. What is not
+    /// above 0 and finite counts as the default, 16/9.
+    pub aspect: f32,
+}
+
+/// The aspect of a picture of no known size.
+const DEFAULT_ASPECT: f32 = 16.0 / 9.0;
+
+impl Default for LoadOptions {
+    fn default() -> Self {
+        Self {
+            overrides: Vec::new(),
+            progress: false,
+            aspect: DEFAULT_ASPECT,
+        }
+    }
+}
+
+impl LoadOptions {
+    /// `aspect`, or its default.
+    fn ratio(&self) -> f64 {
+        if self.aspect > 0.0 && self.aspect.is_finite() {
+            f64::from(self.aspect)
+        } else {
+            f64::from(DEFAULT_ASPECT)
+        }
+    }
 }
 
 /// Reads a scene file (`.toml`) or an OBJ file (`.obj`), which is a scene by itself.

@@ -12,8 +12,9 @@ use super::error::Error;
 use super::layers::Layers;
 use super::materials::DEFAULT_NAME;
 use super::mesh::Mesh;
+use super::obj::{self, ObjFile};
 use super::shapes::Shape;
-use super::{obj, paths, suggest};
+use super::{paths, quote, suggest};
 
 /// The most objects (parts of models) that a scene may have: instance records of 128 bytes fill the
 /// 128 MiB that every device can bind as one buffer.
@@ -47,11 +48,22 @@ pub(super) struct Placed {
     pub key: Vec<String>,
 }
 
+/// An OBJ file that the user named on the command line. It may lie anywhere and be a link; only
+/// what it names is confined to its folder.
+pub(super) struct Lone {
+    /// The last part of the path: the model's `file`.
+    pub name: String,
+    /// As typed.
+    pub path: PathBuf,
+    /// Where the file lies; for a link, where the file lies that it leads to.
+    pub folder: PathBuf,
+}
+
 /// Loads each mesh once, however many models use it.
 pub(super) struct Loader<'a> {
     folder: &'a Path,
-    /// True for a lone OBJ file: its materials keep their own names.
-    alone: bool,
+    /// An OBJ file by itself: its materials keep their own names.
+    lone: Option<Lone>,
     progress: bool,
     files: HashMap<PathBuf, Vec<Part>>,
     shapes: HashMap<Shape, Vec<Part>>,
@@ -62,11 +74,11 @@ pub(super) struct Loader<'a> {
 }
 
 impl<'a> Loader<'a> {
-    /// A loader for files in `folder`; `alone` for an OBJ file without a scene around it.
-    pub(super) fn new(folder: &'a Path, alone: bool, progress: bool) -> Self {
+    /// A loader for files in `folder`; `lone` for an OBJ file without a scene around it.
+    pub(super) fn new(folder: &'a Path, lone: Option<Lone>, progress: bool) -> Self {
         Self {
             folder,
-            alone,
+            lone,
             progress,
             files: HashMap::new(),
             shapes: HashMap::new(),
@@ -114,11 +126,13 @@ impl<'a> Loader<'a> {
             },
             (None, Some(file)) => self.file(name, file, layers),
             (Some(_), Some(_)) => {
-                let message = format!("model.{name}: give shape or file, not both");
+                let model = quote::key(&["model", name]);
+                let message = format!("{model}: give shape or file, not both");
                 Err(layers.error(&["model", name, "file"], message))
             }
             (None, None) => {
-                let message = format!("model.{name} needs a shape or a file");
+                let model = quote::key(&["model", name]);
+                let message = format!("{model} needs a shape or a file");
                 Err(layers.error(&["model", name], message))
             }
         }
@@ -143,29 +157,40 @@ impl<'a> Loader<'a> {
     }
 
     fn file(&mut self, name: &str, file: &str, layers: &Layers) -> Result<Vec<Part>, Error> {
+        let place = ["model", name, "file"];
         let refuse = |message: String| {
-            let message = format!("model.{name}.file = '{file}' {message}");
-            layers.error(&["model", name, "file"], message)
+            let (key, file) = (quote::key(&place), quote::short(file));
+            layers.error(&place, format!("{key} = '{file}' {message}"))
         };
-        let Some(path) = paths::inside(self.folder, file).map_err(refuse)? else {
-            let folder = self.folder.display();
+        if let Some(lone) = self.lone.as_ref().filter(|lone| lone.name == file) {
+            let loaded = obj::load(&lone.path, &lone.folder, self.progress)?;
+            return Ok(self.take(file, loaded));
+        }
+        let Some(found) = paths::inside(self.folder, file).map_err(refuse)? else {
+            let folder = quote::path(paths::shown(self.folder));
             return Err(refuse(format!("is missing: no such file in '{folder}'")));
         };
-        let key = path
-            .canonicalize()
-            .map_err(|error| Error::io(&path, &error))?;
-        if let Some(parts) = self.files.get(&key) {
+        if let Some(parts) = self.files.get(&found.real) {
             return Ok(parts.clone());
         }
+        let path = &found.path;
         if !path
             .extension()
             .is_some_and(|end| end.eq_ignore_ascii_case("obj"))
         {
             return Err(refuse("is not an .obj file".to_owned()));
         }
-        let mut loaded = obj::load(&path, self.progress)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let loaded = obj::load(path, folder, self.progress)?;
+        let parts = self.take(file, loaded);
+        self.files.insert(found.real, parts.clone());
+        Ok(parts)
+    }
+
+    /// Keeps what the OBJ `file` holds; its parts.
+    fn take(&mut self, file: &str, mut loaded: ObjFile) -> Vec<Part> {
         self.warnings.append(&mut loaded.warnings);
-        let alone = self.alone;
+        let alone = self.lone.is_some();
         let full = |material: &str| {
             if alone {
                 material.to_owned()
@@ -188,8 +213,7 @@ impl<'a> Loader<'a> {
         for (name, text) in loaded.materials {
             self.materials.insert(full(&name), text);
         }
-        self.files.insert(key, parts.clone());
-        Ok(parts)
+        parts
     }
 }
 
@@ -198,7 +222,8 @@ fn check_slots(name: &str, text: &ModelText, parts: &[Part], layers: &Layers) ->
     for slot in text.materials.iter().flat_map(IndexMap::keys) {
         if !parts.iter().any(|part| part.slot == *slot) {
             let known = parts.iter().map(|part| part.slot.as_str());
-            let message = format!("model.{name}: {}", suggest::unknown("part", slot, known));
+            let model = quote::key(&["model", name]);
+            let message = format!("{model}: {}", suggest::unknown("part", slot, known));
             return Err(layers.error(&["model", name, "materials", slot], message));
         }
     }
@@ -242,7 +267,8 @@ fn transform(name: &str, text: &ModelText, layers: &Layers) -> Result<Affine3A, 
     let scale = layers.triple(&at("scale"), scale, SCALE)?;
     if scale.iter().any(|factor| factor.abs() < SMALLEST_SCALE) {
         let message = format!(
-            "model.{name}.scale = {scale:?}: no factor may be nearer to 0 than {SMALLEST_SCALE:e}"
+            "{} = {scale:?}: no factor may be nearer to 0 than {SMALLEST_SCALE:e}",
+            quote::key(&at("scale"))
         );
         return Err(layers.error(&at("scale"), message));
     }

@@ -19,17 +19,21 @@ use super::materials::{
     DEFAULT_ALBEDO, DEFAULT_ROUGHNESS, DIELECTRIC_F0, MAX_SHININESS, roughness_from_shininess,
     shininess_from_roughness,
 };
-use super::obj_sieve::text;
+use super::paths::BYTE_ORDER_MARK;
+use super::quote;
+use super::quote::{material_name, text};
 use super::warnings::Warnings;
 
 /// One MTL file as tobj reads it.
 pub(super) struct Library {
     pub materials: Vec<tobj::Material>,
+    /// The file's size.
+    pub bytes: u64,
     pub warnings: Vec<String>,
 }
 
-/// The largest file that is read: a hundred thousand materials.
-const LARGEST: u64 = 64 << 20;
+/// The most bytes that are read of one OBJ's MTL files together: a hundred thousand materials.
+pub(super) const LARGEST: u64 = 64 << 20;
 
 /// What a key's values are.
 enum Kind {
@@ -57,17 +61,16 @@ fn kind(key: &str) -> Option<Kind> {
     })
 }
 
-/// Reads an MTL file.
-pub(super) fn load(path: &Path) -> Result<Library, Error> {
+/// Reads an MTL file of at most `room` bytes; `path` is for messages.
+pub(super) fn load(path: &Path, file: impl Read, room: u64) -> Result<Library, Error> {
     let mut bytes = Vec::new();
-    let file = super::paths::open(path)?;
-    file.take(LARGEST + 1)
+    file.take(room + 1)
         .read_to_end(&mut bytes)
         .map_err(|error| Error::io(path, &error))?;
-    if bytes.len() as u64 > LARGEST {
+    if bytes.len() as u64 > room {
         return Err(Error::file(
             path,
-            "is larger than 64 MiB: not a material library",
+            "is too large: the material libraries of an OBJ may have 64 MiB together",
         ));
     }
     parse(path, &bytes)
@@ -80,18 +83,21 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<Library, Error> {
         line: 0,
         ready: String::new(),
         unused: BTreeMap::new(),
+        homeless: None,
         warnings: Warnings::default(),
         names: IndexMap::new(),
     };
-    for raw in bytes.split(|&byte| byte == b'\n') {
+    let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+    for raw in text.split(|&byte| byte == b'\n') {
         clean.line += 1;
         clean.pass(raw)?;
     }
-    clean.report_unused();
+    clean.report();
     let (materials, _) = tobj::load_mtl_buf(&mut clean.ready.as_bytes())
-        .map_err(|error| Error::file(path, format!("{error}")))?;
+        .map_err(|error| Error::file(path, quote::message(&error.to_string())))?;
     Ok(Library {
         materials,
+        bytes: bytes.len() as u64,
         warnings: clean.warnings.into_text(),
     })
 }
@@ -103,6 +109,8 @@ struct Clean<'a> {
     ready: String,
     /// Per unused key: its first line and how often it stands.
     unused: BTreeMap<String, (usize, usize)>,
+    /// Of the keys before the first `newmtl`: the first, its line, and how many they are.
+    homeless: Option<(String, usize, usize)>,
     warnings: Warnings,
     names: IndexMap<String, usize>,
 }
@@ -119,9 +127,15 @@ impl Clean<'_> {
             .unwrap_or(line.len());
         let (key, rest) = (text(&line[..split]), &line[split..]);
         if key == "newmtl" {
-            return self.begin(&text(rest));
+            return self.begin(rest);
         }
-        match kind(&key) {
+        let kind = kind(&key);
+        if kind.is_some() && self.names.is_empty() {
+            let entry = self.homeless.get_or_insert((key, self.line, 0));
+            entry.2 += 1;
+            return Ok(());
+        }
+        match kind {
             None => Ok(()),
             Some(Kind::Unused) => {
                 let entry = self.unused.entry(key).or_insert((self.line, 0));
@@ -133,11 +147,13 @@ impl Clean<'_> {
         }
     }
 
-    fn begin(&mut self, name: &str) -> Result<(), Error> {
+    fn begin(&mut self, rest: &[u8]) -> Result<(), Error> {
+        let name = material_name(rest).map_err(|fault| self.refuse(format!("newmtl: {fault}")))?;
         if name.is_empty() {
             return Err(self.refuse("newmtl without a name"));
         }
-        if let Some(earlier) = self.names.insert(name.to_owned(), self.line) {
+        if let Some(earlier) = self.names.insert(name.clone(), self.line) {
+            let name = quote::short(&name);
             self.warn(format!(
                 "material '{name}' was defined in line {earlier} already; this one counts"
             ));
@@ -180,20 +196,37 @@ impl Clean<'_> {
     fn number(&mut self, key: &str, word: &str, low: f64, high: f64) -> Result<f32, Error> {
         let value: f32 = word
             .parse()
-            .map_err(|_| self.refuse(format!("{key}: '{word}' is not a number")))?;
+            .map_err(|_| self.refuse(format!("{key}: '{}' is not a number", quote::short(word))))?;
         if !value.is_finite() {
+            let word = quote::short(word);
             return Err(self.refuse(format!("{key} is {word}: NaN and infinity have no place")));
         }
         let clamped = f64::from(value).clamp(low, high);
         if clamped != f64::from(value) {
+            let word = quote::short(word);
             self.warn(format!("{key} = {word} is taken as {clamped}"));
         }
         Ok(clamped as f32)
     }
 
-    fn report_unused(&mut self) {
+    fn report(&mut self) {
+        if let Some((key, line, count)) = self.homeless.take() {
+            self.line = line;
+            self.warn(match count {
+                1 => format!(
+                    "{} stands before the first newmtl: left out",
+                    quote::short(&key)
+                ),
+                _ => format!(
+                    "{} and {} more lines stand before the first newmtl: left out",
+                    quote::short(&key),
+                    count - 1
+                ),
+            });
+        }
         for (key, (line, count)) in std::mem::take(&mut self.unused) {
             self.line = line;
+            let key = quote::short(&key);
             self.warn(match count {
                 1 => format!("{key} is not used yet"),
                 _ => format!("{key} is not used yet ({count} times, here first)"),
@@ -206,7 +239,7 @@ impl Clean<'_> {
     }
 
     fn warn(&mut self, message: String) {
-        let place = format!("{}:{}", self.path.display(), self.line);
+        let place = format!("{}:{}", quote::path(self.path), self.line);
         self.warnings.push(format!("{place}: {message}"));
     }
 }

@@ -21,7 +21,7 @@ use super::mesh::Mesh;
 use super::normals::{self, Surface, TooManyVertices};
 use super::obj_sieve::{Libraries, Sieve};
 use super::warnings::Warnings;
-use super::{mtl, paths};
+use super::{mtl, paths, quote};
 
 /// What an OBJ file and its MTL files hold.
 pub(super) struct ObjFile {
@@ -42,8 +42,9 @@ pub(super) struct Piece {
 /// Files from this size on show a progress bar: smaller ones load in less than a second.
 const PROGRESS_BYTES: u64 = 16 << 20;
 
-/// Loads an OBJ file. `progress` shows a bar on stderr for large ones, if it is a terminal.
-pub(super) fn load(path: &Path, progress: bool) -> Result<ObjFile, Error> {
+/// Loads an OBJ file, and the MTL files that it names from `folder`. `progress` shows a bar on stderr
+/// for large ones, if it is a terminal.
+pub(super) fn load(path: &Path, folder: &Path, progress: bool) -> Result<ObjFile, Error> {
     let file = paths::open(path)?;
     let size = file
         .metadata()
@@ -57,7 +58,7 @@ pub(super) fn load(path: &Path, progress: bool) -> Result<ObjFile, Error> {
     } else {
         ProgressBar::hidden()
     };
-    let result = read(path, bar.wrap_read(file));
+    let result = read(path, folder, bar.wrap_read(file));
     bar.finish_and_clear();
     result
 }
@@ -72,12 +73,13 @@ fn progress_bar(bytes: u64) -> ProgressBar {
     }
 }
 
-/// Reads the text of an OBJ file; `path` is for messages and for the MTL files beside it.
-fn read(path: &Path, source: impl Read) -> Result<ObjFile, Error> {
+/// Reads the text of an OBJ file; `path` is for messages, `folder` holds its MTL files.
+fn read(path: &Path, folder: &Path, source: impl Read) -> Result<ObjFile, Error> {
     let libraries = Libraries::default();
     let mut sieve = Sieve::new(
         BufReader::with_capacity(1 << 18, source),
         path,
+        folder,
         libraries.clone(),
     );
     let options = tobj::LoadOptions {
@@ -89,10 +91,10 @@ fn read(path: &Path, source: impl Read) -> Result<ObjFile, Error> {
     let next = Cell::new(0);
     let loaded = tobj::load_obj_buf(&mut sieve, &options, |_| {
         let number = next.replace(next.get() + 1);
-        let libraries = libraries.borrow();
+        let mut libraries = libraries.borrow_mut();
         let materials = libraries
-            .get(number)
-            .map_or(Vec::new(), |library| library.materials.clone());
+            .get_mut(number)
+            .map_or(Vec::new(), |library| std::mem::take(&mut library.materials));
         let numbers = materials.iter().enumerate();
         let map = numbers
             .map(|(i, material)| (material.name.clone(), i))
@@ -102,8 +104,10 @@ fn read(path: &Path, source: impl Read) -> Result<ObjFile, Error> {
     if let Some(fault) = sieve.fault.take() {
         return Err(fault);
     }
-    let (models, materials) = loaded.map_err(|error| Error::file(path, error.to_string()))?;
-    let materials = materials.map_err(|error| Error::file(path, error.to_string()))?;
+    let (models, materials) =
+        loaded.map_err(|error| Error::file(path, quote::message(&error.to_string())))?;
+    let materials =
+        materials.map_err(|error| Error::file(path, quote::message(&error.to_string())))?;
     if sieve.faces() == 0 {
         let message = format!(
             "has no faces in its {} lines: there is nothing to draw",
@@ -116,9 +120,9 @@ fn read(path: &Path, source: impl Read) -> Result<ObjFile, Error> {
     let known: HashSet<&str> = names.iter().map(String::as_str).collect();
     for (name, line) in &sieve.used {
         if !known.contains(name.as_str()) {
-            let place = format!("{}:{line}", path.display());
+            let (place, name) = (quote::path(path), quote::short(name));
             warnings.push(format!(
-                "{place}: no MTL has a material '{name}'; its faces become '{DEFAULT_NAME}'"
+                "{place}:{line}: no MTL has a material '{name}'; its faces become '{DEFAULT_NAME}'"
             ));
         }
     }
@@ -155,7 +159,7 @@ fn assemble(
     if dropped > 0 {
         warnings.push(format!(
             "{}: {dropped} triangles have no area and are left out",
-            path.display()
+            quote::path(path)
         ));
     }
     if surface.indices.is_empty() {

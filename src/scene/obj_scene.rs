@@ -4,13 +4,14 @@
 //! reaches `camera`, `ambient`, the lights `key`, `fill` and `rim`, the model, and the materials of
 //! its MTL by their names.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use indexmap::IndexMap;
 
 use super::description::{Description, ModelText};
 use super::error::Error;
 use super::layers::Layer;
+use super::models::Lone;
 use super::{LoadOptions, Scene, assembly, paths};
 
 /// Reads the OBJ file at `path` as a scene.
@@ -31,5 +32,22 @@ pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Scene, Error> {
         model: IndexMap::from([(stem.to_owned(), model)]),
         ..Description::default()
     };
-    assembly::build(path, Layer::made(&description), true, options)
+    let lone = Lone {
+        name: file.to_owned(),
+        path: path.to_path_buf(),
+        folder: folder(path)?,
+    };
+    assembly::build(path, Layer::made(&description), Some(lone), options)
+}
+
+/// The folder in which the file lies; of a link, the folder in which its target lies.
+fn folder(path: &Path) -> Result<PathBuf, Error> {
+    let parent = |path: &Path| path.parent().unwrap_or(Path::new("")).to_path_buf();
+    if !path.is_symlink() {
+        return Ok(parent(path));
+    }
+    match path.canonicalize() {
+        Ok(real) => Ok(parent(&real)),
+        Err(error) => Err(Error::io(path, &error)),
+    }
 }

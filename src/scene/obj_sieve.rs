@@ -9,6 +9,7 @@
 //! for "none".
 
 use std::cell::RefCell;
+use std::collections::HashSet;
 use std::io::{self, BufRead, Read, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -19,6 +20,8 @@ use super::checks::FARTHEST;
 use super::error::Error;
 use super::models::MAX_OBJECTS;
 use super::mtl;
+use super::paths::{self, BYTE_ORDER_MARK};
+use super::quote::{self, material_name, text};
 use super::warnings::Warnings;
 
 /// Faces after which tobj is told that a new object begins: its tables stay below 100 MB, and the
@@ -35,10 +38,27 @@ const MOST_VERTICES: usize = u32::MAX as usize;
 /// The MTL files that the OBJ names, in the order in which tobj will ask for them.
 pub(super) type Libraries = Rc<RefCell<Vec<mtl::Library>>>;
 
+/// The most names of MTL files in an OBJ: each one costs a look at the disk, found or not.
+const MOST_LIBRARIES: usize = 1024;
+/// The longest `mtllib` line, in bytes: sixteen of the longest paths that a system allows.
+const LONGEST_NAMES: usize = 16 * 4096;
+
+/// The MTL files that were named so far.
+#[derive(Default)]
+struct Named {
+    /// Whole lines and single names as written.
+    names: HashSet<String>,
+    /// The files without links.
+    files: HashSet<PathBuf>,
+    /// Their size together.
+    bytes: u64,
+}
+
 /// Reads an OBJ file and gives out its sound lines; stops at the first fault.
 pub(super) struct Sieve<R> {
     source: R,
     path: PathBuf,
+    folder: PathBuf,
     line: usize,
     raw: Vec<u8>,
     ready: Vec<u8>,
@@ -51,6 +71,7 @@ pub(super) struct Sieve<R> {
     pieces: usize,
     object: String,
     libraries: Libraries,
+    named: Named,
     /// The fault that ended the reading.
     pub(super) fault: Option<Error>,
     /// Materials that faces are given, with the line that first names each.
@@ -60,11 +81,12 @@ pub(super) struct Sieve<R> {
 }
 
 impl<R: BufRead> Sieve<R> {
-    /// Guards `source`, which holds the text of the file `path`.
-    pub(super) fn new(source: R, path: &Path, libraries: Libraries) -> Self {
+    /// Guards `source`, which holds the text of the file `path` and names MTL files in `folder`.
+    pub(super) fn new(source: R, path: &Path, folder: &Path, libraries: Libraries) -> Self {
         Self {
             source,
             path: path.to_path_buf(),
+            folder: folder.to_path_buf(),
             line: 0,
             raw: Vec::new(),
             // The normal that means "none".
@@ -78,6 +100,7 @@ impl<R: BufRead> Sieve<R> {
             pieces: 0,
             object: String::new(),
             libraries,
+            named: Named::default(),
             fault: None,
             used: IndexMap::new(),
             warnings: Warnings::default(),
@@ -98,7 +121,8 @@ impl<R: BufRead> Sieve<R> {
         Error::line(&self.path, self.line, message)
     }
 
-    /// Reads one line, joined with those that a backslash continues; false at the end.
+    /// Reads one line, joined with those that a backslash continues, unless it is a comment, which
+    /// may end in a folder's name; false at the end.
     fn read_line(&mut self) -> Result<bool, Error> {
         self.raw.clear();
         loop {
@@ -115,9 +139,13 @@ impl<R: BufRead> Sieve<R> {
             if self.raw.len() >= LONGEST_LINE {
                 return Err(self.refuse("the line is too long: this is not an OBJ file"));
             }
+            if self.line == 1 && self.raw.starts_with(BYTE_ORDER_MARK) {
+                self.raw.drain(..BYTE_ORDER_MARK.len());
+            }
+            let comment = self.raw.trim_ascii_start().starts_with(b"#");
             let end = self.raw.trim_ascii_end().len();
-            if read == 0 || end == 0 || self.raw[end - 1] != b'\\' {
-                return Ok(!self.raw.is_empty());
+            if read == 0 || comment || end == 0 || self.raw[end - 1] != b'\\' {
+                return Ok(read > 0 || !self.raw.is_empty());
             }
             self.raw.truncate(end - 1);
             self.raw.push(b' ');
@@ -151,11 +179,8 @@ impl<R: BufRead> Sieve<R> {
                 self.begin_object();
                 Ok(())
             }
-            b"usemtl" => {
-                self.use_material(rest);
-                Ok(())
-            }
-            b"mtllib" => self.material_library(rest),
+            b"usemtl" => self.use_material(rest),
+            b"mtllib" => self.material_libraries(rest),
             _ if line.contains(&0) => {
                 Err(self.refuse("holds a zero byte: this is not an OBJ file"))
             }
@@ -183,7 +208,7 @@ impl<R: BufRead> Sieve<R> {
             if to.abs() > FARTHEST as f32 {
                 let message = format!(
                     "the coordinate {} is farther than {FARTHEST:e} m from the origin",
-                    text(word)
+                    shown(word)
                 );
                 return Err(self.refuse(message));
             }
@@ -234,10 +259,10 @@ impl<R: BufRead> Sieve<R> {
         match parsed {
             Some(value) if f32::is_finite(value) => Ok(value),
             Some(_) => {
-                let word = text(word);
+                let word = shown(word);
                 Err(self.refuse(format!("{what} is {word}: NaN and infinity have no place")))
             }
-            None => Err(self.refuse(format!("'{}' is not a number", text(word)))),
+            None => Err(self.refuse(format!("'{}' is not a number", shown(word)))),
         }
     }
 
@@ -287,7 +312,7 @@ impl<R: BufRead> Sieve<R> {
         };
         match parts.next() {
             None => Ok((vertex, normal)),
-            Some(_) => Err(self.refuse(format!("'{}' is not a face's corner", text(corner)))),
+            Some(_) => Err(self.refuse(format!("'{}' is not a face's corner", shown(corner)))),
         }
     }
 
@@ -304,7 +329,7 @@ impl<R: BufRead> Sieve<R> {
             .ok()
             .and_then(|word| word.parse().ok());
         let Some(index): Option<i64> = parsed else {
-            return Err(self.refuse(format!("'{}' is not a face's corner", text(corner))));
+            return Err(self.refuse(format!("'{}' is not a face's corner", shown(corner))));
         };
         let absolute = if index < 0 {
             index
@@ -335,15 +360,16 @@ impl<R: BufRead> Sieve<R> {
         self.ready.push(b'\n');
     }
 
-    fn use_material(&mut self, rest: &[u8]) {
-        let name = text(rest);
+    fn warn(&mut self, message: &str) {
+        let place = quote::path(&self.path);
+        self.warnings
+            .push(format!("{place}:{}: {message}", self.line));
+    }
+
+    fn use_material(&mut self, rest: &[u8]) -> Result<(), Error> {
+        let name = material_name(rest).map_err(|fault| self.refuse(format!("usemtl: {fault}")))?;
         if name.is_empty() {
-            let message = format!(
-                "{}:{}: usemtl without a name",
-                self.path.display(),
-                self.line
-            );
-            self.warnings.push(message);
+            self.warn("usemtl without a name");
         }
         self.end_piece();
         self.ready.extend_from_slice(b"usemtl ");
@@ -357,35 +383,64 @@ impl<R: BufRead> Sieve<R> {
         if !name.is_empty() {
             self.used.entry(name).or_insert(self.line);
         }
+        Ok(())
     }
 
     /// Loads the MTL files of a `mtllib` line. The whole line is one name if such a file exists
     /// (names with spaces are common), else each word is one.
-    fn material_library(&mut self, rest: &[u8]) -> Result<(), Error> {
-        let whole = text(rest);
-        let folder = self.path.parent().unwrap_or(Path::new("")).to_path_buf();
-        let several = !folder.join(&whole).exists() && whole.contains(char::is_whitespace);
-        let names: Vec<&str> = if several {
-            whole.split_whitespace().collect()
-        } else {
-            vec![whole.as_str()]
-        };
-        for name in names {
-            let found = super::paths::inside(&folder, name)
-                .map_err(|message| self.refuse(format!("mtllib {name}: {message}")))?;
-            let Some(path) = found else {
-                self.warnings.push(format!(
-                    "{}:{}: mtllib {name}: no such file; its materials become '{}'",
-                    self.path.display(),
-                    self.line,
-                    super::materials::DEFAULT_NAME
-                ));
-                continue;
-            };
-            let library = mtl::load(&path)?;
-            self.libraries.borrow_mut().push(library);
-            self.ready.extend_from_slice(b"mtllib next\n");
+    fn material_libraries(&mut self, rest: &[u8]) -> Result<(), Error> {
+        if rest.is_empty() {
+            self.warn("mtllib without a name");
+            return Ok(());
         }
+        if rest.len() > LONGEST_NAMES {
+            return Err(self.refuse("mtllib: the line is longer than 64 KiB"));
+        }
+        let whole = quote::whole(rest);
+        // Many files repeat the line for each object.
+        if self.named.names.contains(&whole) {
+            return Ok(());
+        }
+        if whole.contains(char::is_whitespace) && !self.folder.join(&whole).exists() {
+            for name in whole.split_whitespace() {
+                self.material_library(name)?;
+            }
+            self.named.names.insert(whole);
+            Ok(())
+        } else {
+            self.material_library(&whole)
+        }
+    }
+
+    /// Loads the MTL file `name`, unless that was done before.
+    fn material_library(&mut self, name: &str) -> Result<(), Error> {
+        if !self.named.names.insert(name.to_owned()) {
+            return Ok(());
+        }
+        if self.named.names.len() > MOST_LIBRARIES {
+            let message = format!("names more than {MOST_LIBRARIES} material libraries");
+            return Err(self.refuse(message));
+        }
+        let shown = quote::short(name);
+        let refuse =
+            |sieve: &Self, message: String| sieve.refuse(format!("mtllib {shown}: {message}"));
+        let found = paths::inside(&self.folder, name).map_err(|fault| refuse(self, fault))?;
+        let Some(found) = found else {
+            let message = format!(
+                "mtllib {shown}: no such file; its materials become '{}'",
+                super::materials::DEFAULT_NAME
+            );
+            self.warn(&message);
+            return Ok(());
+        };
+        if !self.named.files.insert(found.real) {
+            return Ok(());
+        }
+        let file = paths::open(&found.path).map_err(|fault| refuse(self, fault.into_message()))?;
+        let library = mtl::load(&found.path, file, mtl::LARGEST - self.named.bytes)?;
+        self.named.bytes += library.bytes;
+        self.libraries.borrow_mut().push(library);
+        self.ready.extend_from_slice(b"mtllib next\n");
         Ok(())
     }
 }
@@ -430,21 +485,10 @@ fn words(rest: &[u8]) -> impl Iterator<Item = &[u8]> {
         .take_while(|word| word[0] != b'#')
 }
 
-/// Bytes as text, without control characters; what is not UTF-8 becomes a mark.
-pub(super) fn text(bytes: &[u8]) -> String {
-    // A character has four bytes at most: no more than these can be shown.
-    let bytes = &bytes[..bytes.len().min(4 * LONGEST_NAME)];
-    let shown = String::from_utf8_lossy(bytes);
-    let shown: String = shown
-        .chars()
-        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
-        .take(LONGEST_NAME)
-        .collect();
-    shown.trim().to_owned()
+/// Bytes as a message quotes them.
+fn shown(bytes: &[u8]) -> String {
+    quote::short(&text(bytes))
 }
-
-/// The longest name that is kept, in characters.
-const LONGEST_NAME: usize = 255;
 
 fn put_index(to: &mut Vec<u8>, index: usize) {
     // Writing to memory cannot fail.

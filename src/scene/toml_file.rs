@@ -7,8 +7,9 @@ use super::error::{Error, Place};
 use super::layers::Layer;
 use super::{LoadOptions, Scene, assembly, paths};
 
-/// The largest scene file: a million models of a line each.
-const LARGEST: u64 = 256 << 20;
+/// The largest scene file: a hundred thousand models of 160 characters each. Its tables take some
+/// sixty times as much memory.
+const LARGEST: u64 = 16 << 20;
 
 /// Reads the scene file at `path`.
 pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Scene, Error> {
@@ -20,7 +21,7 @@ pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Scene, Error> {
     if bytes.len() as u64 > LARGEST {
         return Err(Error::file(
             path,
-            "is larger than 256 MiB: not a scene file",
+            "is larger than 16 MiB, the most that a scene file may have: put the geometry into OBJ files",
         ));
     }
     let text = String::from_utf8(bytes).map_err(|error| {
@@ -31,5 +32,5 @@ pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Scene, Error> {
             message: "is not UTF-8 text".to_owned(),
         }
     })?;
-    assembly::build(path, Layer::file(path, text)?, false, options)
+    assembly::build(path, Layer::file(path, text)?, None, options)
 }

@@ -200,6 +200,126 @@ fn a_link_that_leads_out_is_refused() {
     );
 }
 
+/// What an OBJ with the given lines before its triangle becomes, beside the given MTL files.
+fn beside(files: &[(&str, &str)], lines: &str) -> Result<Scene, scene::Error> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, text) in files {
+        fs::write(folder.path().join(name), text).expect("a written file");
+    }
+    let path = folder.path().join("model.obj");
+    let text = format!("{lines}v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    fs::write(&path, text).expect("a written file");
+    scene::load(&path, &LoadOptions::default())
+}
+
+#[test]
+fn a_library_is_loaded_once_however_often_it_is_named() {
+    let lines = format!(
+        "{}mtllib ./a.mtl\nmtllib a.mtl b.mtl\nmtllib b.mtl a.mtl\nusemtl m\n",
+        "mtllib a.mtl\n".repeat(100)
+    );
+    let files = [
+        ("a.mtl", "newmtl m\nKd 2 1 1\n"),
+        ("b.mtl", "newmtl n\nKd 3 1 1\n"),
+    ];
+    let scene = beside(&files, &lines).expect("a good model");
+    assert_eq!(scene.warnings.len(), 2, "{:?}", scene.warnings);
+    assert_eq!(scene.materials[0].name, "m");
+}
+
+#[test]
+fn libraries_are_bounded_together() {
+    let text = format!("#{}\n", "x".repeat(33 << 20));
+    let files = [("a.mtl", text.as_str()), ("b.mtl", text.as_str())];
+    let error = beside(&files, "mtllib a.mtl\nmtllib b.mtl\n").expect_err("too much");
+    let error = error.to_string();
+    let wanted = "b.mtl: is too large: the material libraries of an OBJ may have 64 MiB together";
+    assert!(error.contains(wanted), "{error}");
+    let names = |count: usize| -> String {
+        let lines = (0..count).map(|i| format!("mtllib {i}.mtl\n"));
+        lines.collect()
+    };
+    beside(&[], &names(1024)).expect("a good model");
+    let error = beside(&[], &names(1025)).expect_err("too many").to_string();
+    let wanted = "model.obj:1025: names more than 1024 material libraries";
+    assert!(error.contains(wanted), "{error}");
+}
+
+#[test]
+fn a_long_line_of_libraries_is_read_to_its_end() {
+    let line: String = (0..60).map(|i| format!(" absent{i}.mtl")).collect();
+    let files = [("last.mtl", "newmtl m\nKd 0 1 0\n")];
+    let scene = beside(&files, &format!("mtllib{line} last.mtl\nusemtl m\n"));
+    assert_eq!(
+        scene.expect("a good model").materials[0].albedo,
+        [0.0, 1.0, 0.0]
+    );
+    let line = "x".repeat(70_000);
+    let error = beside(&[], &format!("mtllib {line}\n")).expect_err("too long");
+    assert!(
+        error
+            .to_string()
+            .contains("model.obj:1: mtllib: the line is longer than 64 KiB")
+    );
+}
+
+#[test]
+fn long_names_of_materials_do_not_merge() {
+    let (a, b) = (
+        format!("{}a", "n".repeat(255)),
+        format!("{}b", "n".repeat(255)),
+    );
+    let library = format!("newmtl {a}\nKd 1 0 0\nnewmtl {b}\nKd 0 1 0\n");
+    let error = beside(&[("a.mtl", &library)], "mtllib a.mtl\n").expect_err("too long");
+    let wanted = "a.mtl:1: newmtl: a name of 256 characters: at most 255 are possible";
+    assert!(error.to_string().contains(wanted), "{error}");
+    let error = beside(&[], &format!("usemtl {a}\n")).expect_err("too long");
+    let wanted = "model.obj:1: usemtl: a name of 256 characters";
+    assert!(error.to_string().contains(wanted), "{error}");
+    let fits = "\u{e9}".repeat(255);
+    let library = format!("newmtl {fits}\nKd 1 0 0\n");
+    let lines = format!("mtllib a.mtl\nusemtl {fits}\n");
+    let scene = beside(&[("a.mtl", &library)], &lines).expect("a good model");
+    assert_eq!(scene.materials[0].name, fits);
+}
+
+#[test]
+fn a_mtllib_line_without_a_file_has_its_line() {
+    let scene = beside(&[], "mtllib\n").expect("a good model");
+    assert_eq!(scene.warnings.len(), 1, "{:?}", scene.warnings);
+    assert!(scene.warnings[0].contains("model.obj:1: mtllib without a name"));
+    let error = beside(&[], "mtllib .\n").expect_err("a folder").to_string();
+    assert!(
+        error.contains("model.obj:1: mtllib .: is a folder"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_byte_order_mark_is_passed_over() {
+    let (_folder, scene) = load("\u{feff}newmtl m\nKd 0 1 0\n".as_bytes());
+    let scene = scene.expect("a good material");
+    assert_eq!(scene.materials[0].albedo, [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn numbers_before_the_first_name_are_told_of_once() {
+    let (_folder, scene) = load(b"# x\nKd 1 0 0\nmap_Kd a.png\nKa 1 1 1\nnewmtl m\nKd 0 1 0\n");
+    let scene = scene.expect("a good material");
+    assert_eq!(scene.warnings.len(), 1, "{:?}", scene.warnings);
+    let wanted = "model.mtl:2: Kd and 1 more lines stand before the first newmtl: left out";
+    assert!(scene.warnings[0].ends_with(wanted), "{}", scene.warnings[0]);
+    assert_eq!(scene.materials[0].albedo, [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn values_in_messages_are_cut() {
+    let long = "n".repeat(250);
+    let (_folder, scene) = load(format!("newmtl m\nNs {long}\n").as_bytes());
+    let error = scene.expect_err("a file that is wrong").to_string();
+    assert!(!error.contains(&long[..65]), "{error}");
+}
+
 const RICH: &str = "newmtl m\nKa 1 1 1\nKd 0.8 0.4 0.2\nKs 0.5\nKe 1 0 0\nNs 10.5\nNi 1.45\nd 0.5\n\
                     Tr 0.5\nPr 0.5\nPm 1\nPs 0\nPc 0\naniso 0\nillum 2\nmap_Kd -s 1 1 1 a b.png\n";
 

@@ -23,7 +23,8 @@ fn load(text: &str) -> Result<Scene, scene::Error> {
 
 fn message(bytes: &[u8]) -> String {
     let (_folder, path) = folder(bytes);
-    let error = scene::load(&path, &LoadOptions::default()).expect_err("a file that is wrong");
+    let loaded = scene::load(&path, &LoadOptions::default());
+    let error = loaded.map(drop).expect_err("a file that is wrong");
     assert_eq!(error.exit_code(), 6, "{error}");
     let error = error.to_string();
     let start = error.find("model.obj").expect("the file's name");
@@ -296,6 +297,87 @@ fn a_scene_names_an_obj_and_its_materials() {
     assert_eq!(all.meshes.len(), 2, "loaded once");
     let part = load("[model.a]\nfile = \"a.obj\"\nmaterials = { blue = \"gold\" }\n");
     assert_eq!(names(&part), ["a.obj:red", "gold"]);
+}
+
+#[test]
+fn a_byte_order_mark_is_passed_over() {
+    let marked = format!("\u{feff}{TRIANGLE}f 1 2 3\n");
+    let scene = load(&marked).expect("a good model");
+    assert_eq!(scene.triangle_count(), 1);
+    assert!(message(b"\xef\xbb\xbf").starts_with("model.obj: has no faces in its 1 lines"));
+}
+
+#[test]
+fn a_comment_ends_with_its_line() {
+    let text = format!("# made in C:\\tmp\\\nv 0 0 0\n  # \\\n{TRIANGLE}f 2 3 4\n");
+    let scene = load(&text).expect("a good model");
+    assert_eq!(scene.triangle_count(), 1);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_link_on_the_command_line_is_followed_and_what_it_names_is_confined() {
+    let inside = tempfile::tempdir().expect("a temporary folder");
+    let target = inside.path().join("target");
+    fs::write(inside.path().join("a.mtl"), "newmtl red\nKd 1 0 0\n").expect("a written file");
+    let elsewhere = tempfile::tempdir().expect("a temporary folder");
+    let link = elsewhere.path().join("link.obj");
+    std::os::unix::fs::symlink(&target, &link).expect("a link");
+    let load = |library: &str| {
+        let text = format!("mtllib {library}\n{TRIANGLE}usemtl red\nf 1 2 3\n");
+        fs::write(&target, text).expect("a written file");
+        scene::load(&link, &LoadOptions::default())
+    };
+    let scene = load("a.mtl").expect("a good model");
+    assert_eq!(scene.materials[0].albedo, [1.0, 0.0, 0.0]);
+    assert_eq!(scene.objects[0].name, "link");
+    let secret = elsewhere.path().join("secret.mtl");
+    fs::write(&secret, "newmtl red\n").expect("a written file");
+    std::os::unix::fs::symlink(&secret, inside.path().join("out.mtl")).expect("a link");
+    let error = load("out.mtl")
+        .expect_err("a link that leads out")
+        .to_string();
+    let wanted = "link.obj:1: mtllib out.mtl: is a link that leads out of the folder";
+    assert!(error.contains(wanted), "{error}\n  wanted {wanted}");
+}
+
+#[test]
+fn models_too_large_or_too_small_are_blamed_and_not_the_camera() {
+    for (size, wanted) in [
+        (
+            "9e11",
+            "model.obj: the models are too large or too far away to be framed",
+        ),
+        (
+            "1e-7",
+            "model.obj: the models are too small, or too small for",
+        ),
+    ] {
+        let text = format!("v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nf 1 2 3\n");
+        let found = message(text.as_bytes());
+        assert!(found.starts_with(wanted), "{found}\n  wanted {wanted}");
+    }
+}
+
+#[test]
+fn names_in_messages_are_cut_and_have_no_control_characters() {
+    let long = "n".repeat(1 << 16);
+    for text in [
+        format!("{TRIANGLE}f 1 2 {long}\n"),
+        format!("v 1 2 {long}\n"),
+        format!("mtllib ../{}\n", &long[..4000]),
+        format!("usemtl {long}\n"),
+        "f 1 2 \x1b[31m\n".to_owned(),
+        "mtllib ../\x1b[31m\n".to_owned(),
+    ] {
+        let found = message(text.as_bytes());
+        assert!(found.len() < 300, "{} bytes", found.len());
+        assert!(!found.contains(char::is_control), "{found:?}");
+    }
+    let text = format!("{TRIANGLE}usemtl \x1b[31m\nmtllib \x1b[31m\nf 1 2 3\n");
+    let scene = load(&text).expect("a good model");
+    assert_eq!(scene.warnings.len(), 2, "{:?}", scene.warnings);
+    assert!(!scene.warnings.concat().contains(char::is_control));
 }
 
 /// An OBJ text that has everything.

@@ -9,6 +9,9 @@ use umber::scene::{self, LightKind, LoadOptions, Projection, Scene};
 
 use crate::mutation;
 
+#[path = "scene_file/limits.rs"]
+mod limits;
+
 /// A folder that holds `scene.toml` with the given text.
 fn folder(text: &str) -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -24,7 +27,7 @@ fn load(text: &str) -> Result<Scene, scene::Error> {
 
 /// The message for `text`, from the file's name on; the exit code must be 6.
 fn message(text: &str) -> String {
-    let error = load(text).expect_err("a scene that is wrong");
+    let error = load(text).map(drop).expect_err("a scene that is wrong");
     assert_eq!(error.exit_code(), 6, "{error}");
     let message = error.to_string();
     match message.find("scene.toml") {
@@ -266,7 +269,7 @@ fn numbers_out_of_range_name_key_value_range_and_place() {
         (
             "[camera]\nvertical_fov_degrees = 180\n",
             "4:24",
-            "camera.vertical_fov_degrees = 180: must be more than 0 and less than 180",
+            "camera.vertical_fov_degrees = 180: must be at least 0.001 and less than 180",
         ),
         (
             "[camera]\nposition = [1, 1, 1]\ntarget = [1, 1, 1]\n",
@@ -325,12 +328,22 @@ fn mistakes_in_lights_name_key_and_place() {
         (
             &format!("{spot}direction = [0, -1, 0]\nouter_degrees = 90\n"),
             "8:17",
-            "light.s.outer_degrees = 90: must be more than 0 and less than 90",
+            "light.s.outer_degrees = 90: must be at least 0.5 and less than 90",
         ),
         (
             &format!("{spot}direction = [0, -1, 0]\ninner_degrees = 30\nouter_degrees = 30\n"),
             "8:17",
             "light.s.inner_degrees = 30: must be at least 0 and less than 30",
+        ),
+        (
+            &format!("{spot}direction = [0, -1, 0]\nouter_degrees = 0.08\n"),
+            "8:17",
+            "light.s.outer_degrees = 0.08: must be at least 0.5 and less than 90",
+        ),
+        (
+            &format!("{spot}direction = [0, -1, 0]\ninner_degrees = 29.9999\nouter_degrees = 30\n"),
+            "8:17",
+            "light.s.inner_degrees = 29.9999 is too near to outer_degrees = 30",
         ),
         (
             &format!("{spot}direction = [0, -1, 0]\ntarget = [0, 0, 0]\n"),

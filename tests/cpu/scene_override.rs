@@ -26,7 +26,7 @@ fn load(overrides: &[&str]) -> Result<Scene, scene::Error> {
     fs::write(&path, SCENE).expect("a written file");
     let options = LoadOptions {
         overrides: overrides.iter().map(|&text| text.to_owned()).collect(),
-        progress: false,
+        ..LoadOptions::default()
     };
     scene::load(&path, &options)
 }
@@ -104,7 +104,15 @@ fn what_does_not_exist_is_refused_as_wrong_usage() {
             "model.bal.scale=1",
             "unknown model 'bal'; the nearest known one is 'ball'",
         ),
-        ("camera.fov=1", "unknown key 'fov'"),
+        (
+            "camera.fov=1",
+            "unknown key 'fov'; known are 'position', 'target', 'up', 'projection', \
+             'vertical_fov_degrees', 'height', 'exposure_ev100'",
+        ),
+        (
+            "material.xyzzy.roughness=1",
+            "unknown material 'xyzzy'; known are 'mine', 'glass', 'wood', ",
+        ),
         (
             "light.sun.intensity=1",
             "light.sun.intensity: a directional light has no intensity",
@@ -150,7 +158,7 @@ fn an_obj_alone_has_camera_lights_and_materials_to_change() {
     let load = |overrides: &[&str]| {
         let options = LoadOptions {
             overrides: overrides.iter().map(|&text| text.to_owned()).collect(),
-            progress: false,
+            ..LoadOptions::default()
         };
         scene::load(&path, &options)
     };

@@ -128,6 +128,7 @@ fn library(place: &Place, overrides: &[&str], samples: Samples, variant: Variant
     let options = LoadOptions {
         overrides: overrides.iter().map(|text| (*text).to_owned()).collect(),
         progress: false,
+        ..LoadOptions::default()
     };
     let scene = match scene::load(&place.path("scene.toml"), &options) {
         Ok(scene) => scene,
