@@ -165,3 +165,16 @@ fn a_fan_of_very_many_triangles_ends_in_time() {
     assert!(mesh.triangle_count() >= count as usize);
     assert!(began.elapsed().as_secs() < 10, "{:?}", began.elapsed());
 }
+
+#[test]
+fn minus_zero_is_zero() {
+    let mesh =
+        mesh("v 0 0 0\nv 1 0 0\nv 0 1 0.1\nv 1 -0 0\nv 1 1 0\nv -0 1 0.1\nf 1 2 3\nf 4 5 6\n");
+    assert_eq!(normals_at(&mesh, [1.0, 0.0, 0.0]).len(), 1, "no seam");
+}
+
+#[test]
+fn a_third_face_on_an_edge_does_not_part_the_other_two() {
+    let mesh = mesh("v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0.1 0\nf 1 2 3\nf 1 2 4\nf 1 5 2\n");
+    assert_eq!(normals_at(&mesh, [0.0; 3]).len(), 2);
+}

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use umber::scene::{self, LoadOptions, Projection};
+use umber::scene::{self, LightKind, LoadOptions, Projection};
 
 use super::{BALL, check_messages, folder, load, message};
 
@@ -220,4 +220,22 @@ fn models_that_no_camera_can_be_chosen_for_are_blamed_themselves() {
     }
     let own = "scale = 1e-6\n[camera]\nposition = [0, 0, 1]\ntarget = [0, 0, 0]\n";
     load(&format!("{BALL}{own}")).expect("a scene with a camera of its own");
+}
+
+#[test]
+fn a_spot_that_states_no_cone_has_a_theatre_lamps() {
+    for (line, wanted) in [("", (15.0, 20.0)), ("outer_degrees = 16\n", (12.0, 16.0))] {
+        let spot = "[light.s]\nkind = \"spot\"\nposition = [0, 1, 0]\ndirection = [0, -1, 0]\n\
+                    intensity = 1\n";
+        let scene = load(&format!("{BALL}{spot}{line}")).expect("a good scene");
+        let LightKind::Spot {
+            inner_degrees,
+            outer_degrees,
+            ..
+        } = scene.lights[0].kind
+        else {
+            panic!("a spot");
+        };
+        assert_eq!((inner_degrees, outer_degrees), wanted);
+    }
 }
