@@ -130,7 +130,11 @@ impl Instance {
             name: array_text(&core.device_name),
             kind: DeviceKind::from_vulkan(core.device_type),
             driver: array_text(&driver.driver_name),
-            driver_version: array_text(&driver.driver_info),
+            driver_version: match array_text(&driver.driver_info) {
+                // A driver with nothing to say still has a number.
+                none if none.is_empty() => version_text(core.driver_version),
+                text => text,
+            },
             api: (
                 vk::api_version_major(core.api_version),
                 vk::api_version_minor(core.api_version),
@@ -252,6 +256,15 @@ fn no_driver(result: vk::Result) -> Error {
             pass: None,
         },
     }
+}
+
+fn version_text(version: u32) -> String {
+    format!(
+        "{}.{}.{}",
+        vk::api_version_major(version),
+        vk::api_version_minor(version),
+        vk::api_version_patch(version)
+    )
 }
 
 fn array_text(array: &[std::ffi::c_char]) -> String {
