@@ -141,19 +141,25 @@ impl<'a> Recorder<'a> {
     /// Stamps the time before and after `work`, which records passes.
     pub fn timed(&mut self, timestamps: &'a Timestamps, work: impl FnOnce(&mut Self)) {
         assert!(timestamps.is_of(&self.device));
-        let raw = self.device.raw.clone();
-        let stamp = |commands, query| {
-            // SAFETY: outside a rendering instance; the queries were reset below.
-            unsafe {
-                let stage = vk::PipelineStageFlags2::ALL_COMMANDS;
-                raw.cmd_write_timestamp2(commands, stage, timestamps.pool, query);
-            }
-        };
         // SAFETY: outside a rendering instance; the pool has two queries.
-        unsafe { raw.cmd_reset_query_pool(self.commands, timestamps.pool, 0, 2) };
-        stamp(self.commands, 0);
+        unsafe {
+            self.device
+                .raw
+                .cmd_reset_query_pool(self.commands, timestamps.pool, 0, 2);
+        }
+        self.stamp(timestamps, 0);
         work(self);
-        stamp(self.commands, 1);
+        self.stamp(timestamps, 1);
+    }
+
+    fn stamp(&mut self, timestamps: &Timestamps, query: u32) {
+        let stage = vk::PipelineStageFlags2::ALL_COMMANDS;
+        // SAFETY: outside a rendering instance; `timed` reset the queries.
+        unsafe {
+            self.device
+                .raw
+                .cmd_write_timestamp2(self.commands, stage, timestamps.pool, query);
+        }
     }
 
     /// Ends recording; `submit` then only submits, so that the two can be timed apart.

@@ -245,7 +245,8 @@ impl Device {
         done.map_err(|error| {
             // Whatever failed, nothing may be destroyed while the device uses it. A device that
             // cannot be waited for is lost, and uses nothing.
-            // SAFETY: the queue is not in use: this thread holds nothing of it, and submissions lock.
+            let _queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
+            // SAFETY: waiting for the device needs its queues for itself; the lock gives the one.
             let _ = unsafe { self.raw.device_wait_idle() };
             error.during(last)
         })

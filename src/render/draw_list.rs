@@ -3,7 +3,6 @@
 //! Opaque objects first, in the scene's order; then what lets light through, far to near by object,
 //! and within an object far to near by triangle, so that both walls of a glass are seen through it.
 
-use std::cmp::Ordering;
 use std::ops::Range;
 
 use glam::Vec3;
@@ -27,8 +26,6 @@ pub struct Draw {
 pub struct DrawList {
     /// In the order of drawing.
     pub draws: Vec<Draw>,
-    /// Index of the first vertex of each mesh.
-    pub mesh_vertices: Vec<u32>,
     /// The indices of transparent objects, to be appended to those of the meshes.
     pub sorted_indices: Vec<u32>,
 }
@@ -45,17 +42,16 @@ pub struct TooMany(u64, &'static str);
 pub fn draw_list(scene: &Scene) -> Result<DrawList, TooMany> {
     let mesh_indices = starts(scene, "indices", |mesh| mesh.indices.len())?;
     let mesh_vertices = starts(scene, "vertices", |mesh| mesh.positions.len())?;
-    let (opaque, mut transparent): (Vec<_>, Vec<_>) = (0..)
+    let (opaque, transparent): (Vec<_>, Vec<_>) = (0..)
         .zip(&scene.objects)
         .partition(|(_, object)| scene.materials[object.material].opacity >= 1.0);
-    transparent.sort_by(|(_, a), (_, b)| farther_first(middle(scene, a), middle(scene, b)));
+    let transparent = far_to_near(transparent, |(_, object)| middle(scene, object));
 
     let mut list = DrawList {
         draws: Vec::with_capacity(scene.objects.len()),
-        mesh_vertices,
         sorted_indices: Vec::new(),
     };
-    let vertex_offset = |object: &Object| list.mesh_vertices[object.mesh].cast_signed();
+    let vertex_offset = |object: &Object| mesh_vertices[object.mesh].cast_signed();
     for (instance, object) in opaque {
         let start = mesh_indices[object.mesh];
         // Fits: `starts` checked the sum of all lengths.
@@ -68,7 +64,7 @@ pub fn draw_list(scene: &Scene) -> Result<DrawList, TooMany> {
     }
     let mut next = *mesh_indices.last().unwrap_or(&0);
     for (instance, object) in transparent {
-        let sorted = far_to_near(scene, object);
+        let sorted = sorted_triangles(scene, object);
         let end = u64::from(next) + sorted.len() as u64;
         let end = i32::try_from(end)
             .map_err(|_| TooMany(end, "indices"))?
@@ -107,7 +103,8 @@ fn middle(scene: &Scene, object: &Object) -> f32 {
     camera::distance(&scene.camera, object.transform.transform_point3(center))
 }
 
-fn far_to_near(scene: &Scene, object: &Object) -> Vec<u32> {
+/// An object's indices, its triangles far to near.
+fn sorted_triangles(scene: &Scene, object: &Object) -> Vec<u32> {
     let mesh = &scene.meshes[object.mesh];
     let distance = |triangle: &[u32; 3]| {
         let sum: Vec3 = triangle
@@ -117,15 +114,16 @@ fn far_to_near(scene: &Scene, object: &Object) -> Vec<u32> {
         camera::distance(&scene.camera, object.transform.transform_point3(sum / 3.0))
     };
     let (triangles, _) = mesh.indices.as_chunks::<3>();
-    let mut keyed: Vec<_> = triangles.iter().map(|t| (distance(t), *t)).collect();
-    // Stable, so that equal distances keep the mesh's order and pictures repeat.
-    keyed.sort_by(|(a, _), (b, _)| farther_first(*a, *b));
-    keyed
-        .into_iter()
-        .flat_map(|(_, triangle)| triangle)
-        .collect()
+    far_to_near(triangles.to_vec(), distance).concat()
 }
 
-fn farther_first(a: f32, b: f32) -> Ordering {
-    b.total_cmp(&a)
+/// Sorted by a distance that is taken once an item. Stable, so that equal distances keep their order
+/// and pictures repeat.
+fn far_to_near<T>(items: Vec<T>, distance: impl Fn(&T) -> f32) -> Vec<T> {
+    let mut keyed: Vec<_> = items
+        .into_iter()
+        .map(|item| (distance(&item), item))
+        .collect();
+    keyed.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    keyed.into_iter().map(|(_, item)| item).collect()
 }
