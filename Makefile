@@ -24,7 +24,7 @@ demo:
 	@echo "demo: built target/release/umber and rendered scenes/zoo.toml to out/zoo.png"
 
 test:
-	@.ci/need c++ lavapipe layers
+	@.ci/need c++ lavapipe layers spirv-opt
 	@icd=$$(.ci/need --manifest lavapipe) && echo "test: on the driver of $$icd" && \
 	$(ON) cargo run --quiet --locked -- devices && \
 	$(ON) cargo test --locked
