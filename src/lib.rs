@@ -5,7 +5,7 @@
 //! 3  report                 a result -> JSON
 //! 2  render   scene         scene -> frame; what a user can describe, and the loaders
 //! 1  gpu                    Vulkan, safely: the only floor with ash and unsafe
-//! 0  math  reference        f64: quadrature; the lighting models as the papers state them
+//! 0  math  reference        f64: quadrature, statistics; the lighting models as the papers state them
 //!    interface              what host and shaders share, compared by the compiler
 //! beside: shader_build      GLSL -> SPIR-V and reflection, part of the build script
 //! ```

@@ -24,6 +24,10 @@ pub const SAME_FORMULA_PEAKED: f64 = 1.0e-10;
 /// Values at two directions 2e-9 radians apart, relative: a function without a jump, of slope below 5.
 pub const CONTINUOUS: f64 = 1.0e-8;
 
+/// How far a share of seeded trials may lie from its probability, in standard deviations of the binomial: beyond
+/// four lies one seed in 16,000, and the seeds are fixed.
+pub const BINOMIAL_DEVIATIONS: f64 = 4.0;
+
 /// A midpoint sum of 1000 by 1000 points over a kink: of the order of the step squared.
 pub const MIDPOINT_SUM: f64 = 1.0e-5;
 

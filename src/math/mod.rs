@@ -1,4 +1,5 @@
-//! What do the references compute with, in f64?
+//! What do the references and the measurements compute with, in f64?
 
 pub mod frame;
 pub mod quadrature;
+pub mod statistics;

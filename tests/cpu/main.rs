@@ -11,6 +11,7 @@ mod material_library;
 mod mtl;
 mod mutation;
 mod obj;
+mod optimised;
 mod oren_nayar;
 mod phong;
 mod punctual;
@@ -24,6 +25,7 @@ mod shader_build;
 #[path = "../../src/shader_build/mod.rs"]
 mod shader_builder;
 mod shapes;
+mod statistics;
 mod tidy;
 #[path = "../tolerances.rs"]
 mod tolerances;
