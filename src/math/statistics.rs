@@ -83,7 +83,7 @@ pub fn rank(n: usize) -> Option<(usize, f64)> {
     }
     let half: f64 = terms.iter().sum();
     // An even n has one term in the middle, an odd n two: its mirror is beyond `terms`.
-    let all = 2.0 * half - if n % 2 == 0 { 1.0 } else { 0.0 };
+    let all = 2.0 * half - if n.is_multiple_of(2) { 1.0 } else { 0.0 };
     let mut below = 0.0;
     let mut found = None;
     for (k, term) in terms.iter().enumerate() {

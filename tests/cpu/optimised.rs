@@ -96,7 +96,11 @@ const ENTRY: &str = "#version 460\n// Which colour?\n\
         Material material = Material(vec3(0.1), in_effects);\n\
         glow_bends(surface, material);\n\
         vec3 sum = surface.N * surface.albedo;\n\
-        glow_adds(sum, surface, material);\n\
+        for (uint i = 0u; i < in_effects; i++) {\n\
+            if (sum[i % 3u] < 0.0) {\n                continue;\n            }\n\
+            vec3 one = surface.albedo * float(i);\n\
+            glow_adds(one, surface, material);\n\
+            sum += one;\n        }\n\
         colour = vec4(sum, 1.0);\n\
     }\n";
 
@@ -128,6 +132,7 @@ const GLOW: &str = "// Does it glow?\n\
     }\n\
     void glow_adds(\n    inout vec3 sum, // so far\n    Surface surface, /* bent; */ Material material\n) {\n\
         if (!called_for(EFFECT_GLOW, material.effects, GLOW_BIT)) {\n            return;\n        }\n\
+        for (int i = 0; i < 4; i++) {\n            if (sum[i % 3] > 9.0) {\n                return;\n            }\n        }\n\
         glow_scratch += ember_of(surface.N).colour;\n\
         sum += glow_scratch * cross(surface.N, sum);\n\
     }\n";
@@ -177,7 +182,15 @@ fn a_hook_that_writes_before_its_guard_is_seen() {
     let left = left_with(GUARD, &format!("surface.N *= 2.0;\n{GUARD}"));
     assert!(left.contains("function glow_bends is left"), "{left}");
     assert!(left.contains("instructions, and"), "{left}");
-    assert!(left.contains("OpVectorTimesScalar 1 (stub 0)"), "{left}");
+    assert!(left.contains("OpVectorTimesScalar 2 (stub 1)"), "{left}");
+}
+
+/// It leaves as many instructions as the stub: only a number is another.
+#[test]
+fn a_hook_that_changes_a_constant_before_its_guard_is_seen() {
+    let left = left_with(GUARD, &format!("surface.albedo = vec3(0.75);\n{GUARD}"));
+    assert!(left.contains("0.75"), "{left}");
+    assert!(!left.contains("instructions, and"), "{left}");
 }
 
 #[test]

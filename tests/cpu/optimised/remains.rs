@@ -21,6 +21,9 @@ pub struct Remains {
     pub instructions: usize,
     /// The same by name: how often each stands there.
     pub opcodes: BTreeMap<String, usize>,
+    /// The same in order, each with its operands: constants, types and variables in full, other values numbered in
+    /// the order in which they come. Two shaders that compute the same thing in the same way read alike.
+    pub code: Vec<String>,
     /// Functions of the source of which an instruction is left, by name without parameters. Where two compute the
     /// same, the one that stands first is named.
     pub functions: BTreeSet<String>,
@@ -78,9 +81,10 @@ const MOST_ROUNDS: usize = 12;
 /// Where the shader does not compile, a constant is not there, a tool is missing or refuses.
 #[track_caller]
 pub fn remains(folder: &Path, entry: &str, frozen: &[(&str, i32)]) -> Remains {
-    optimised(folder, entry, frozen)
-        .map(|assembly| read(&assembly))
-        .unwrap_or_else(|why| panic!("{}: {why}", folder.join(entry).display()))
+    match optimised(folder, entry, frozen) {
+        Ok(assembly) => read(&assembly),
+        Err(why) => panic!("{}: {why}", folder.join(entry).display()),
+    }
 }
 
 fn optimised(folder: &Path, entry: &str, frozen: &[(&str, i32)]) -> Result<String, String> {
@@ -278,6 +282,59 @@ fn attributed(assembly: &str) -> Result<String, String> {
     Ok(text)
 }
 
+/// Writes ids so that they mean the same in each module.
+struct Ids<'a> {
+    names: HashMap<&'a str, &'a str>,
+    /// What defines an id outside the functions.
+    globals: HashMap<&'a str, Instruction<'a>>,
+    seen: HashMap<&'a str, usize>,
+}
+
+impl<'a> Ids<'a> {
+    fn new(assembly: &'a str) -> Self {
+        let globals = instructions(assembly)
+            .take_while(|one| one.opcode != "OpFunction")
+            .filter(|one| !one.result.is_empty())
+            .map(|one| (one.result, one))
+            .collect();
+        Self {
+            names: names(assembly),
+            globals,
+            seen: HashMap::new(),
+        }
+    }
+
+    fn instruction(&mut self, one: Instruction<'a>) -> String {
+        let mut text = match one.result {
+            "" => one.opcode.to_owned(),
+            result => format!("{} = {}", self.word(result), one.opcode),
+        };
+        for word in one.operands.split(' ').filter(|word| !word.is_empty()) {
+            text.push(' ');
+            text.push_str(&self.word(word));
+        }
+        text
+    }
+
+    fn word(&mut self, word: &'a str) -> String {
+        if !word.starts_with('%') {
+            return word.to_owned();
+        }
+        let Some(one) = self.globals.get(word).copied() else {
+            let next = self.seen.len();
+            return format!("%{}", self.seen.entry(word).or_insert(next));
+        };
+        let mut text = format!("({}", one.opcode);
+        if let Some(name) = self.names.get(word).filter(|name| !name.is_empty()) {
+            text.push_str(&format!(" {name}"));
+        }
+        for word in one.operands.split(' ').filter(|word| !word.is_empty()) {
+            text.push_str(&format!(" {}", self.word(word)));
+        }
+        text + ")"
+    }
+}
+
 fn read(assembly: &str) -> Remains {
     let names = names(assembly);
     let strings: HashMap<&str, &str> = instructions(assembly)
@@ -286,6 +343,8 @@ fn read(assembly: &str) -> Remains {
         .collect();
     let mut opcodes = BTreeMap::new();
     let mut functions = BTreeSet::new();
+    let mut code = Vec::new();
+    let mut ids = Ids::new(assembly);
     let body = |one: &Instruction| one.opcode != "OpFunction";
     for one in instructions(assembly).skip_while(body) {
         if one.opcode == "OpLine" {
@@ -293,6 +352,7 @@ fn read(assembly: &str) -> Remains {
             functions.extend(strings.get(file).map(|name| (*name).to_owned()));
         } else if one.opcode != "OpNoLine" {
             *opcodes.entry(one.opcode.to_owned()).or_default() += 1;
+            code.push(ids.instruction(one));
         }
     }
     let pointees: HashMap<&str, &str> = instructions(assembly)
@@ -316,6 +376,7 @@ fn read(assembly: &str) -> Remains {
     Remains {
         instructions: opcodes.values().sum(),
         opcodes,
+        code,
         functions,
         variables: variables.into_values().collect(),
         bindings,

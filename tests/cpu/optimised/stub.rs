@@ -2,7 +2,8 @@
 //!
 //! The hooks, `void` functions whose results go through `inout` parameters, with empty bodies; and the `#include`
 //! lines. Constants, bindings, structs, prototypes and helpers go; so a hook's signature may only name what other
-//! files declare, and its parameters are never `out`, which an empty body would leave without a value.
+//! files declare, and its parameters are never `out`, which an empty body would leave without a value. All other
+//! directives go too: nothing in an effect's file stands under an `#if`.
 
 /// The stub of the source of an effect. A helper that returns `void` counts as a hook.
 pub fn stub(source: &str) -> String {
@@ -35,8 +36,8 @@ fn without_comments(source: &str) -> String {
         rest = &rest[at..];
         let length = if rest.starts_with("//") {
             rest.find('\n').unwrap_or(rest.len())
-        } else if rest.starts_with("/*") {
-            rest[2..].find("*/").map_or(rest.len(), |end| end + 4)
+        } else if let Some(inside) = rest.strip_prefix("/*") {
+            inside.find("*/").map_or(rest.len(), |end| end + 4)
         } else {
             code.push('/');
             rest = &rest[1..];

@@ -75,6 +75,12 @@ fn differences(off: &Remains, stubbed: &Remains) -> Vec<String> {
             lines.push(format!("binding {binding}, {name}, is left"));
         }
     }
+    let unlike = off.code.iter().zip(&stubbed.code).find(|(a, b)| a != b);
+    if let Some((off, stubbed)) = unlike {
+        lines.push(format!(
+            "`{off}` stands where the stub's shader has `{stubbed}`"
+        ));
+    }
     if off.opcodes != stubbed.opcodes {
         let count = |remains: &Remains, opcode| remains.opcodes.get(opcode).copied().unwrap_or(0);
         let all = off.opcodes.keys().chain(stubbed.opcodes.keys());
