@@ -16,6 +16,10 @@ pub enum ImageUse {
     DepthTarget,
     /// Copied from.
     TransferSource,
+    /// Copied to.
+    TransferDestination,
+    /// Sampled by fragment shaders.
+    ShaderRead,
 }
 
 /// What each image was last used for, in one recording.
@@ -67,6 +71,17 @@ impl ImageUse {
                 stage: vk::PipelineStageFlags2::COPY,
                 access: vk::AccessFlags2::TRANSFER_READ,
                 layout: vk::ImageLayout::TRANSFER_SRC_OPTIMAL,
+            },
+            Self::TransferDestination => Half {
+                stage: vk::PipelineStageFlags2::COPY,
+                access: vk::AccessFlags2::TRANSFER_WRITE,
+                layout: vk::ImageLayout::TRANSFER_DST_OPTIMAL,
+            },
+            // No other stage sees a texture: `SetLayout` shows it to none.
+            Self::ShaderRead => Half {
+                stage: vk::PipelineStageFlags2::FRAGMENT_SHADER,
+                access: vk::AccessFlags2::SHADER_SAMPLED_READ,
+                layout: vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL,
             },
         }
     }
@@ -143,7 +158,9 @@ fn buffer_barrier(buffer: vk::Buffer) -> vk::BufferMemoryBarrier2<'static> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ImageUse::{ColorTarget, DepthTarget, TransferSource, Undefined};
+    use ImageUse::{
+        ColorTarget, DepthTarget, ShaderRead, TransferDestination, TransferSource, Undefined,
+    };
     use vk::AccessFlags2 as Access;
     use vk::ImageLayout as Layout;
     use vk::PipelineStageFlags2 as Stage;
@@ -206,18 +223,64 @@ mod tests {
                 ),
             ),
         ];
-        for ((from, to), source, destination) in table {
-            let b = image_barrier(
-                vk::Image::null(),
-                vk::ImageSubresourceRange::default(),
-                from,
-                to,
-            );
-            let got = (b.src_stage_mask, b.src_access_mask, b.old_layout);
-            assert_eq!(got, source, "{from:?} -> {to:?}: source");
-            let got = (b.dst_stage_mask, b.dst_access_mask, b.new_layout);
-            assert_eq!(got, destination, "{from:?} -> {to:?}: destination");
+        for row in table {
+            check(row);
         }
+    }
+
+    /// The same for the images that shaders sample.
+    #[test]
+    fn every_pair_of_a_sampled_image_has_its_barrier() {
+        let fragment_tests = Stage::EARLY_FRAGMENT_TESTS | Stage::LATE_FRAGMENT_TESTS;
+        let depth = Access::DEPTH_STENCIL_ATTACHMENT_READ | Access::DEPTH_STENCIL_ATTACHMENT_WRITE;
+        let depth_layout = Layout::DEPTH_ATTACHMENT_OPTIMAL;
+        let depth_written = Access::DEPTH_STENCIL_ATTACHMENT_WRITE;
+        let to_depth = (fragment_tests, depth, depth_layout);
+        let from_depth = (fragment_tests, depth_written, depth_layout);
+        let nothing = (Stage::NONE, Access::NONE, Layout::UNDEFINED);
+        let copied = (
+            Stage::COPY,
+            Access::TRANSFER_WRITE,
+            Layout::TRANSFER_DST_OPTIMAL,
+        );
+        let sampled = |access| {
+            (
+                Stage::FRAGMENT_SHADER,
+                access,
+                Layout::SHADER_READ_ONLY_OPTIMAL,
+            )
+        };
+        let to_shader = sampled(Access::SHADER_SAMPLED_READ);
+        // A read leaves nothing to make available: the next use only waits for it.
+        let from_shader = sampled(Access::NONE);
+        let table = [
+            ((DepthTarget, DepthTarget), from_depth, to_depth),
+            ((DepthTarget, ShaderRead), from_depth, to_shader),
+            ((ShaderRead, DepthTarget), from_shader, to_depth),
+            ((ShaderRead, ShaderRead), from_shader, to_shader),
+            ((Undefined, ShaderRead), nothing, to_shader),
+            ((Undefined, TransferDestination), nothing, copied),
+            ((TransferDestination, TransferDestination), copied, copied),
+            ((TransferDestination, ShaderRead), copied, to_shader),
+        ];
+        for row in table {
+            check(row);
+        }
+    }
+
+    type Side = (Stage, Access, Layout);
+
+    fn check(((from, to), source, destination): ((ImageUse, ImageUse), Side, Side)) {
+        let b = image_barrier(
+            vk::Image::null(),
+            vk::ImageSubresourceRange::default(),
+            from,
+            to,
+        );
+        let got = (b.src_stage_mask, b.src_access_mask, b.old_layout);
+        assert_eq!(got, source, "{from:?} -> {to:?}: source");
+        let got = (b.dst_stage_mask, b.dst_access_mask, b.new_layout);
+        assert_eq!(got, destination, "{from:?} -> {to:?}: destination");
     }
 
     #[test]

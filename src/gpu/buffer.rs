@@ -88,6 +88,7 @@ impl Buffer {
             }
         };
         device.name(raw, name);
+        device.count_buffer();
         Ok(Self {
             raw,
             allocation: ManuallyDrop::new(allocation),

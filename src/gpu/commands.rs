@@ -11,11 +11,14 @@ use ash::vk;
 
 use super::barriers::{self, ImageUse, ImageUses};
 use super::buffer::{Buffer, BufferUse};
+use super::depth_array::DepthArray;
 use super::device::Device;
 use super::error::{Error, Named};
 use super::format::{Samples, TargetFormat};
 use super::image::{Image, whole};
-use super::pass::{Pass, PassCounts, PassInfo};
+use super::pass::{Pass, PassCounts};
+use super::pass_info::{DepthPassInfo, PassInfo, Rendering};
+use super::texture_array::TextureArray;
 use super::timestamps::Timestamps;
 
 /// A command buffer in the making.
@@ -78,8 +81,25 @@ impl<'a> Recorder<'a> {
         if let Some(resolve) = info.resolve {
             self.transition(resolve, ImageUse::ColorTarget);
         }
-        self.begin_label(info.name);
-        let counts = Pass::record(self, info, draw);
+        for array in info.reads {
+            self.transition_depth(array, ImageUse::ShaderRead);
+        }
+        self.record(info.rendering(), draw);
+    }
+
+    /// Records a pass that draws depth alone: `draw` says what is in it.
+    ///
+    /// # Panics
+    /// There is no such layer.
+    pub fn depth_pass(&mut self, info: &DepthPassInfo<'a>, draw: impl FnOnce(&mut Pass<'_, 'a>)) {
+        let rendering = info.rendering(&self.device);
+        self.transition_depth(info.target, ImageUse::DepthTarget);
+        self.record(rendering, draw);
+    }
+
+    fn record(&mut self, rendering: Rendering<'a>, draw: impl FnOnce(&mut Pass<'_, 'a>)) {
+        self.begin_label(rendering.name);
+        let counts = Pass::record(self, rendering, draw);
         self.end_label();
         self.passes.push(counts);
     }
@@ -109,7 +129,7 @@ impl<'a> Recorder<'a> {
         unsafe {
             self.device.raw.cmd_copy_image_to_buffer(
                 self.commands,
-                image.raw,
+                image.image.raw,
                 vk::ImageLayout::TRANSFER_SRC_OPTIMAL,
                 to.raw,
                 &[region],
@@ -181,10 +201,52 @@ impl<'a> Recorder<'a> {
         self.finish()?.submit()
     }
 
+    /// Copies staged texels into an array that was last used for `from`, and makes it ready for
+    /// `then`. The copies are parts of both.
+    pub(super) fn fill(
+        &mut self,
+        staging: &'a Buffer,
+        array: &'a mut TextureArray,
+        copies: &[vk::BufferImageCopy],
+        from: ImageUse,
+        then: ImageUse,
+    ) {
+        let (image, range) = (array.image.raw, array.range());
+        self.image_barrier(image, range, from, ImageUse::TransferDestination);
+        // SAFETY: the image is in the layout named and can be copied to; `TextureUpload` made the
+        // copies of rows that it staged, each inside its level and layer.
+        unsafe {
+            self.device.raw.cmd_copy_buffer_to_image(
+                self.commands,
+                staging.raw,
+                image,
+                vk::ImageLayout::TRANSFER_DST_OPTIMAL,
+                copies,
+            );
+        }
+        self.image_barrier(image, range, ImageUse::TransferDestination, then);
+    }
+
     fn transition(&mut self, image: &'a Image, to: ImageUse) {
-        let from = self.images.next(image.raw, to);
-        let range = whole(image.format());
-        let images = [barriers::image_barrier(image.raw, range, from, to)];
+        let raw = image.image.raw;
+        let from = self.images.next(raw, to);
+        self.image_barrier(raw, whole(image.format()), from, to);
+    }
+
+    fn transition_depth(&mut self, array: &'a DepthArray, to: ImageUse) {
+        let raw = array.image.raw;
+        let from = self.images.next(raw, to);
+        self.image_barrier(raw, array.range(), from, to);
+    }
+
+    fn image_barrier(
+        &mut self,
+        image: vk::Image,
+        range: vk::ImageSubresourceRange,
+        from: ImageUse,
+        to: ImageUse,
+    ) {
+        let images = [barriers::image_barrier(image, range, from, to)];
         self.barrier(&vk::DependencyInfo::default().image_memory_barriers(&images));
     }
 

@@ -7,8 +7,11 @@ use std::sync::Arc;
 use ash::vk;
 
 use super::buffer::{Buffer, BufferUse};
+use super::depth_array::DepthArray;
 use super::device::Device;
 use super::error::{Error, Named};
+use super::sampler::Sampler;
+use super::texture_array::TextureArray;
 
 /// What the shaders find at a binding.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,6 +20,10 @@ pub enum BindingKind {
     Uniform,
     /// A read-only storage block.
     Storage,
+    /// A `texture2DArray`, of textures or of depth; seen by the fragment stage alone.
+    Texture,
+    /// A `sampler`; seen by the fragment stage alone.
+    Sampler,
 }
 
 impl BindingKind {
@@ -24,14 +31,28 @@ impl BindingKind {
         match self {
             Self::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
             Self::Storage => vk::DescriptorType::STORAGE_BUFFER,
+            Self::Texture => vk::DescriptorType::SAMPLED_IMAGE,
+            Self::Sampler => vk::DescriptorType::SAMPLER,
         }
     }
 
-    fn buffer_use(self) -> BufferUse {
+    fn stages(self) -> vk::ShaderStageFlags {
         match self {
-            Self::Uniform => BufferUse::Uniform,
-            Self::Storage => BufferUse::Storage,
+            Self::Uniform | Self::Storage => {
+                vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT
+            }
+            // The barriers of `ImageUse::ShaderRead` wait for no other stage.
+            Self::Texture | Self::Sampler => vk::ShaderStageFlags::FRAGMENT,
         }
+    }
+}
+
+/// How many of a kind one stage may see on every device (Vulkan 1.3, "Required Limits").
+fn of_a_kind(kind: BindingKind) -> usize {
+    match kind {
+        BindingKind::Uniform => 12,
+        BindingKind::Storage => 4,
+        BindingKind::Texture | BindingKind::Sampler => 16,
     }
 }
 
@@ -59,10 +80,10 @@ impl SetLayout {
 }
 
 impl SetLayout {
-    /// The layout of `bindings`, seen by the vertex and fragment stages.
+    /// The layout of `bindings`.
     ///
     /// # Panics
-    /// Two bindings have one slot.
+    /// Two bindings have one slot, or there are more of a kind than every device has.
     ///
     /// # Errors
     /// The driver fails.
@@ -73,6 +94,8 @@ impl SetLayout {
                 before.iter().all(|other| other.slot != binding.slot),
                 "{name}: slots"
             );
+            let alike = before.iter().filter(|other| other.kind == binding.kind);
+            assert!(alike.count() < of_a_kind(binding.kind), "{name}: too many");
         }
         let entries: Vec<_> = bindings
             .iter()
@@ -81,7 +104,7 @@ impl SetLayout {
                     .binding(binding.slot)
                     .descriptor_type(binding.kind.vulkan())
                     .descriptor_count(1)
-                    .stage_flags(vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT)
+                    .stage_flags(binding.kind.stages())
             })
             .collect();
         let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&entries);
@@ -122,35 +145,85 @@ impl Drop for SetLayout {
     }
 }
 
-/// The set, with the buffers that it points at. Dropped: pool and set, then buffers, then layout.
+/// What a binding points at.
+#[derive(Clone)]
+pub enum Resource {
+    /// A uniform or storage block.
+    Buffer(Arc<Buffer>),
+    /// Textures, at a `Texture` binding.
+    Texture(Arc<TextureArray>),
+    /// Depth, at a `Texture` binding; the passes that draw with the set name it in their `reads`.
+    Depth(Arc<DepthArray>),
+    /// A sampler.
+    Sampler(Arc<Sampler>),
+}
+
+impl Resource {
+    fn fits(&self, kind: BindingKind) -> bool {
+        match self {
+            Self::Buffer(buffer) => matches!(
+                (buffer.usage(), kind),
+                (BufferUse::Uniform, BindingKind::Uniform)
+                    | (BufferUse::Storage, BindingKind::Storage)
+            ),
+            Self::Texture(_) | Self::Depth(_) => kind == BindingKind::Texture,
+            Self::Sampler(_) => kind == BindingKind::Sampler,
+        }
+    }
+
+    fn is_of(&self, device: &Arc<Device>) -> bool {
+        match self {
+            Self::Buffer(buffer) => buffer.is_of(device),
+            Self::Texture(array) => array.is_of(device),
+            Self::Depth(array) => array.is_of(device),
+            Self::Sampler(sampler) => sampler.is_of(device),
+        }
+    }
+
+    /// Both halves of a write; Vulkan reads the one that the binding's type asks for.
+    fn infos(&self) -> ([vk::DescriptorBufferInfo; 1], [vk::DescriptorImageInfo; 1]) {
+        let buffer = vk::DescriptorBufferInfo::default().range(vk::WHOLE_SIZE);
+        let image = vk::DescriptorImageInfo::default();
+        let sampled = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+        match self {
+            Self::Buffer(held) => ([buffer.buffer(held.raw)], [image]),
+            Self::Texture(array) => {
+                let image = image.image_view(array.view).image_layout(sampled);
+                ([buffer], [image])
+            }
+            Self::Depth(array) => {
+                let image = image.image_view(array.view).image_layout(sampled);
+                ([buffer], [image])
+            }
+            Self::Sampler(sampler) => ([buffer], [image.sampler(sampler.raw)]),
+        }
+    }
+}
+
+/// The set, with what it points at. Dropped: pool and set, then what it points at, then layout.
 pub struct DescriptorSet {
     pub(super) raw: vk::DescriptorSet,
     pool: vk::DescriptorPool,
-    // Held, not read: the set points at them.
-    _buffers: Vec<Arc<Buffer>>,
+    resources: Vec<Resource>,
     pub(super) layout: Arc<SetLayout>,
 }
 
 impl DescriptorSet {
-    /// A set in which binding `i` of the layout is `buffers[i]`.
+    /// A set in which binding `i` of the layout is `resources[i]`.
     ///
     /// # Panics
-    /// A buffer is missing, or of another use or device than its binding.
+    /// A resource is missing, or of another kind or device than its binding.
     ///
     /// # Errors
     /// The driver fails.
-    pub fn new(
-        layout: &Arc<SetLayout>,
-        name: &str,
-        buffers: &[Arc<Buffer>],
-    ) -> Result<Self, Error> {
+    pub fn new(layout: &Arc<SetLayout>, name: &str, resources: &[Resource]) -> Result<Self, Error> {
         assert_eq!(
-            buffers.len(),
+            resources.len(),
             layout.bindings.len(),
-            "{name}: one buffer a binding"
+            "{name}: one resource a binding"
         );
-        for (buffer, binding) in buffers.iter().zip(&layout.bindings) {
-            let fits = buffer.usage() == binding.kind.buffer_use() && buffer.is_of(&layout.device);
+        for (resource, binding) in resources.iter().zip(&layout.bindings) {
+            let fits = resource.fits(binding.kind) && resource.is_of(&layout.device);
             assert!(fits, "{name}: binding {}", binding.slot);
         }
         let device = &layout.device;
@@ -169,37 +242,39 @@ impl DescriptorSet {
         let set = Self {
             raw: sets[0],
             pool,
-            _buffers: buffers.to_vec(),
+            resources: resources.to_vec(),
             layout: Arc::clone(layout),
         };
         device.name(set.raw, name);
-        set.point_at(buffers);
+        set.point_at();
         Ok(set)
     }
 
-    fn point_at(&self, buffers: &[Arc<Buffer>]) {
-        let infos: Vec<_> = buffers
-            .iter()
-            .map(|buffer| {
-                [vk::DescriptorBufferInfo::default()
-                    .buffer(buffer.raw)
-                    .range(vk::WHOLE_SIZE)]
-            })
-            .collect();
+    /// The depth that a pass with this set may sample.
+    pub(super) fn depth_arrays(&self) -> impl Iterator<Item = &Arc<DepthArray>> {
+        self.resources.iter().filter_map(|resource| match resource {
+            Resource::Depth(array) => Some(array),
+            _ => None,
+        })
+    }
+
+    fn point_at(&self) {
+        let infos: Vec<_> = self.resources.iter().map(Resource::infos).collect();
         let writes: Vec<_> = self
             .layout
             .bindings
             .iter()
             .zip(&infos)
-            .map(|(binding, info)| {
+            .map(|(binding, (buffer, image))| {
                 vk::WriteDescriptorSet::default()
                     .dst_set(self.raw)
                     .dst_binding(binding.slot)
                     .descriptor_type(binding.kind.vulkan())
-                    .buffer_info(info)
+                    .buffer_info(buffer)
+                    .image_info(image)
             })
             .collect();
-        // SAFETY: the set is new, so no work uses it; the buffers are held by it from now on.
+        // SAFETY: the set is new, so no work uses it; it holds what it points at.
         unsafe { self.layout.device.raw.update_descriptor_sets(&writes, &[]) };
     }
 }

@@ -37,6 +37,8 @@ pub struct Device {
     samples: Vec<Samples>,
     info: DeviceInfo,
     pipelines_created: AtomicU64,
+    images_created: AtomicU64,
+    buffers_created: AtomicU64,
     pub(super) instance: Arc<Instance>,
 }
 
@@ -92,6 +94,8 @@ impl Device {
             samples: requirements::sample_counts(&instance.raw, physical),
             info,
             pipelines_created: AtomicU64::new(0),
+            images_created: AtomicU64::new(0),
+            buffers_created: AtomicU64::new(0),
             instance: Arc::clone(instance),
         }))
     }
@@ -146,6 +150,31 @@ impl Device {
         u64::from(self.limits.max_storage_buffer_range)
     }
 
+    /// The largest side of a texture, texels; at least 4096.
+    pub fn max_texture_size(&self) -> u32 {
+        self.limits.max_image_dimension2_d
+    }
+
+    /// The most layers of an array of images; at least 256.
+    pub fn max_layers(&self) -> u32 {
+        self.limits.max_image_array_layers
+    }
+
+    /// Checks the side and the layers of an array of square images against the device.
+    pub(super) fn check_array(&self, name: &str, size: u32, layers: u32) -> Result<(), Error> {
+        let allowed = [
+            ("side", size, self.max_texture_size()),
+            ("layers", layers, self.max_layers()),
+        ];
+        for (what, value, limit) in allowed {
+            if value == 0 || value > limit {
+                let what = format!("the array '{name}' in {what}");
+                return Err(self.beyond(what, u64::from(value), u64::from(limit)));
+            }
+        }
+        Ok(())
+    }
+
     /// Corners are snapped to 2^-bits of a pixel before they are filled; at least 4.
     pub fn subpixel_bits(&self) -> u32 {
         self.limits.sub_pixel_precision_bits
@@ -158,6 +187,24 @@ impl Device {
 
     pub(super) fn count_pipeline(&self) {
         self.pipelines_created.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// How many images were made on it so far: targets, texture arrays and depth arrays.
+    pub fn images_created(&self) -> u64 {
+        self.images_created.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn count_image(&self) {
+        self.images_created.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// How many buffers were made on it so far, those for staging and readback included.
+    pub fn buffers_created(&self) -> u64 {
+        self.buffers_created.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn count_buffer(&self) {
+        self.buffers_created.fetch_add(1, Ordering::Relaxed);
     }
 
     pub(super) fn beyond(&self, what: String, value: u64, limit: u64) -> Error {

@@ -35,24 +35,62 @@ impl TargetFormat {
     }
 }
 
+/// The texel formats of sampled textures: four bytes each, and each filters linearly on every device
+/// (Vulkan 1.3, "Required Format Support").
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TextureFormat {
+    /// Red, green, blue in sRGB's coding, decoded before they are filtered; alpha as it is.
+    Rgba8Srgb,
+    /// Four fractions of 255.
+    Rgba8,
+    /// Red and green as 16-bit floats.
+    Rg16Float,
+    /// Red, green, blue of nine bits with one exponent of five; never negative.
+    Rgb9E5,
+}
+
+impl TextureFormat {
+    /// Every format.
+    pub const ALL: &'static [Self] = &[Self::Rgba8Srgb, Self::Rgba8, Self::Rg16Float, Self::Rgb9E5];
+    /// Size of one texel.
+    pub const TEXEL_BYTES: u64 = 4;
+
+    pub(super) fn vulkan(self) -> vk::Format {
+        match self {
+            Self::Rgba8Srgb => vk::Format::R8G8B8A8_SRGB,
+            Self::Rgba8 => vk::Format::R8G8B8A8_UNORM,
+            Self::Rg16Float => vk::Format::R16G16_SFLOAT,
+            Self::Rgb9E5 => vk::Format::E5B9G9R9_UFLOAT_PACK32,
+        }
+    }
+}
+
 /// The formats of vertex attributes; a buffer of them is tightly packed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum VertexFormat {
+    /// Two 32-bit floats.
+    Rg32Float,
     /// Three 32-bit floats.
     Rgb32Float,
+    /// Four 32-bit floats.
+    Rgba32Float,
 }
 
 impl VertexFormat {
     pub(super) fn vulkan(self) -> vk::Format {
         match self {
+            Self::Rg32Float => vk::Format::R32G32_SFLOAT,
             Self::Rgb32Float => vk::Format::R32G32B32_SFLOAT,
+            Self::Rgba32Float => vk::Format::R32G32B32A32_SFLOAT,
         }
     }
 
     /// Size of one attribute.
     pub fn bytes(self) -> u32 {
         match self {
+            Self::Rg32Float => 8,
             Self::Rgb32Float => 12,
+            Self::Rgba32Float => 16,
         }
     }
 }

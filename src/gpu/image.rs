@@ -1,15 +1,13 @@
 //! Where do rendered pixels live?
 
-use std::mem::ManuallyDrop;
 use std::sync::Arc;
 
 use ash::vk;
-use gpu_allocator::MemoryLocation;
-use gpu_allocator::vulkan::Allocation;
 
 use super::device::Device;
-use super::error::{Error, Named};
+use super::error::Error;
 use super::format::{Samples, TargetFormat};
+use super::image_memory::ImageMemory;
 
 /// What an image is: all that tells one render target from another.
 #[derive(Clone, Copy, Debug)]
@@ -26,16 +24,14 @@ pub struct ImageInfo<'a> {
     pub samples: Samples,
 }
 
-/// A render target, its memory and its view. Dropped: view, image, memory, hold on the device.
+/// A render target and its view.
 pub struct Image {
-    pub(super) raw: vk::Image,
+    pub(super) image: ImageMemory,
     pub(super) view: vk::ImageView,
-    allocation: ManuallyDrop<Allocation>,
     format: TargetFormat,
     width: u32,
     height: u32,
     samples: Samples,
-    device: Arc<Device>,
 }
 
 impl Image {
@@ -46,39 +42,21 @@ impl Image {
     pub fn new(device: &Arc<Device>, info: &ImageInfo) -> Result<Self, Error> {
         device.check_target_size(info.width, info.height)?;
         device.check_samples(info.samples)?;
-        // SAFETY: size and samples were checked against the device, and `requirements` found the formats.
-        let raw =
-            unsafe { device.raw.create_image(&create_info(info), None) }.named("vkCreateImage")?;
-        let destroy = || {
-            // SAFETY: the image was never used.
-            unsafe { device.raw.destroy_image(raw, None) };
-        };
-        let allocation = allocate(device, info, raw).inspect_err(|_| destroy())?;
-        let view = match create_view(device, info, raw) {
-            Ok(view) => view,
-            Err(error) => {
-                destroy();
-                // The caller hears of the failed view; a failed free on top of it adds nothing.
-                let _ = device.allocator().free(allocation);
-                return Err(error);
-            }
-        };
-        device.name(raw, info.name);
-        device.name(view, info.name);
+        let mut image = ImageMemory::new(device, info.name, &create_info(info))?;
+        let whole = whole(info.format);
+        let view = image.view(info.name, vk::ImageViewType::TYPE_2D, whole)?;
         Ok(Self {
-            raw,
+            image,
             view,
-            allocation: ManuallyDrop::new(allocation),
             format: info.format,
             width: info.width,
             height: info.height,
             samples: info.samples,
-            device: Arc::clone(device),
         })
     }
 
     pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
-        Arc::ptr_eq(&self.device, device)
+        self.image.is_of(device)
     }
 
     /// Texel format.
@@ -109,20 +87,6 @@ impl Image {
     }
 }
 
-impl Drop for Image {
-    fn drop(&mut self) {
-        // SAFETY: recorders borrow what they use until the device is done with it; the view goes
-        // before its image; the allocation is taken once.
-        let allocation = unsafe {
-            self.device.raw.destroy_image_view(self.view, None);
-            self.device.raw.destroy_image(self.raw, None);
-            ManuallyDrop::take(&mut self.allocation)
-        };
-        // A failure to free is a leak, and there is nobody left to tell.
-        let _ = self.device.allocator().free(allocation);
-    }
-}
-
 fn create_info(info: &ImageInfo) -> vk::ImageCreateInfo<'static> {
     let attachment = match info.format {
         TargetFormat::Depth32Float => vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT,
@@ -148,20 +112,6 @@ fn create_info(info: &ImageInfo) -> vk::ImageCreateInfo<'static> {
         .initial_layout(vk::ImageLayout::UNDEFINED)
 }
 
-fn create_view(
-    device: &Device,
-    info: &ImageInfo,
-    image: vk::Image,
-) -> Result<vk::ImageView, Error> {
-    let view = vk::ImageViewCreateInfo::default()
-        .image(image)
-        .view_type(vk::ImageViewType::TYPE_2D)
-        .format(info.format.vulkan())
-        .subresource_range(whole(info.format));
-    // SAFETY: the image has memory, and the view covers what it has.
-    unsafe { device.raw.create_image_view(&view, None) }.named("vkCreateImageView")
-}
-
 /// The one level and layer that a render target has.
 pub(super) fn whole(format: TargetFormat) -> vk::ImageSubresourceRange {
     vk::ImageSubresourceRange {
@@ -171,17 +121,4 @@ pub(super) fn whole(format: TargetFormat) -> vk::ImageSubresourceRange {
         base_array_layer: 0,
         layer_count: 1,
     }
-}
-
-fn allocate(device: &Device, info: &ImageInfo, image: vk::Image) -> Result<Allocation, Error> {
-    // SAFETY: the image is this device's.
-    let requirements = unsafe { device.raw.get_image_memory_requirements(image) };
-    let allocation = device.allocate(info.name, requirements, MemoryLocation::GpuOnly, false)?;
-    // SAFETY: memory of the image's own requirements, bound once.
-    let bound = unsafe {
-        device
-            .raw
-            .bind_image_memory(image, allocation.memory(), allocation.offset())
-    };
-    device.keep_if(bound, allocation, "vkBindImageMemory")
 }

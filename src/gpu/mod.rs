@@ -7,7 +7,8 @@
 //! asserted.
 //!
 //! ```text
-//! Instance <- Device <- Buffer, Image, SetLayout, PipelineCache, Timestamps, Recorder
+//! Instance <- Device <- Buffer, Image, TextureArray, DepthArray, Sampler, SetLayout, PipelineCache,
+//!                       Timestamps, Recorder
 //!                       SetLayout <- DescriptorSet, Pipeline
 //! ```
 //!
@@ -17,19 +18,27 @@ mod barriers;
 mod buffer;
 mod canary;
 mod commands;
+mod depth_array;
 mod descriptors;
 mod device;
 mod error;
 mod format;
 mod image;
+mod image_memory;
 mod instance;
 mod pass;
+mod pass_info;
 mod pipeline;
 mod pipeline_cache;
 pub mod requirements;
+mod sampler;
+#[cfg(test)]
+mod sampling_tests;
 mod selection;
 mod spirv;
 mod survey;
+mod texture_array;
+mod texture_upload;
 mod timestamps;
 mod upload;
 mod validation;
@@ -37,17 +46,22 @@ mod validation;
 pub use buffer::{Buffer, BufferUse};
 pub use canary::Canary;
 pub use commands::{Recorded, Recorder};
-pub use descriptors::{Binding, BindingKind, DescriptorSet, SetLayout};
+pub use depth_array::DepthArray;
+pub use descriptors::{Binding, BindingKind, DescriptorSet, Resource, SetLayout};
 pub use device::Device;
 pub use error::{Error, VulkanResult, install_line};
-pub use format::{Samples, TargetFormat, VertexFormat};
+pub use format::{Samples, TargetFormat, TextureFormat, VertexFormat};
 pub use image::{Image, ImageInfo};
 pub use instance::{API_VERSION, Instance, Validation};
-pub use pass::{Pass, PassCounts, PassInfo};
-pub use pipeline::{Attribute, Constant, Pipeline, PipelineInfo, Spirv, Targets};
+pub use pass::{Pass, PassCounts};
+pub use pass_info::{DepthPassInfo, PassInfo};
+pub use pipeline::{Attribute, Constant, Cull, Pipeline, PipelineInfo, Rate, Spirv, Targets};
 pub use pipeline_cache::PipelineCache;
+pub use sampler::{Filter, Sampler};
 pub use selection::{DeviceInfo, DeviceKind, DeviceSelector, choose};
 pub use survey::driver_files;
+pub use texture_array::{TextureArray, TextureInfo};
+pub use texture_upload::TextureUpload;
 pub use timestamps::Timestamps;
 pub use upload::Upload;
 pub use validation::ValidationLog;

@@ -1,4 +1,4 @@
-//! What does a pass draw to, what does it bind, and how many state commands does it take?
+//! What does a pass bind and draw, and how many state commands does that take?
 //!
 //! A pass counts what it records, so that the claim of one pipeline and one set is a number and not
 //! a promise.
@@ -10,10 +10,10 @@ use ash::vk;
 
 use super::buffer::{Buffer, BufferUse};
 use super::commands::Recorder;
+use super::depth_array::DepthArray;
 use super::descriptors::DescriptorSet;
 use super::device::Device;
-use super::format::{Samples, TargetFormat};
-use super::image::Image;
+use super::pass_info::Rendering;
 use super::pipeline::{Pipeline, Targets};
 
 /// What one pass recorded.
@@ -29,64 +29,23 @@ pub struct PassCounts {
     pub descriptor_set_binds: u64,
 }
 
-/// Where a pass draws. The colour target is cleared to transparent black, depth to 0 (far).
-#[derive(Clone, Copy)]
-pub struct PassInfo<'a> {
-    /// The pass's label.
-    pub name: &'a str,
-    /// Colour target.
-    pub color: &'a Image,
-    /// Where the colour target's samples are averaged to, if it has several.
-    pub resolve: Option<&'a Image>,
-    /// Depth target.
-    pub depth: &'a Image,
-}
-
-impl PassInfo<'_> {
-    /// Asserts that the targets fit each other.
-    pub(super) fn check(&self, device: &Arc<Device>) {
-        let Self {
-            name,
-            color,
-            resolve,
-            depth,
-        } = self;
-        for image in [*color, *depth].into_iter().chain(*resolve) {
-            assert!(image.is_of(device), "{name}: targets of this device");
-            assert_eq!(image.size(), color.size(), "{name}: targets of one size");
-        }
-        assert_eq!(color.samples(), depth.samples(), "{name}: samples");
-        assert_eq!(depth.format(), TargetFormat::Depth32Float, "{name}: depth");
-        let several = color.samples() != Samples::One;
-        assert_eq!(several, resolve.is_some(), "{name}: a resolve target");
-        if let Some(resolve) = resolve {
-            assert_eq!(resolve.samples(), Samples::One, "{name}: resolve");
-            assert_eq!(resolve.format(), color.format(), "{name}: resolve");
-        }
-    }
-
-    fn targets(&self) -> Targets {
-        Targets {
-            color: self.color.format(),
-            depth: self.depth.format(),
-            samples: self.color.samples(),
-        }
-    }
-}
-
 /// What a pass has bound; a draw without all of it would be undefined.
 #[derive(Default)]
 struct Bound {
     pipeline: Option<(usize, vk::PipelineLayout)>,
+    /// Whether the pipeline has a fragment stage, the only one that sees textures.
+    fragments: bool,
     vertex_buffers: usize,
     set: Option<vk::PipelineLayout>,
+    /// Whether the set holds depth that the pass does not read.
+    unread: bool,
     indices: Option<u64>,
 }
 
 /// A pass in the making.
 pub struct Pass<'r, 'a> {
     recorder: &'r mut Recorder<'a>,
-    targets: Targets,
+    rendering: Rendering<'a>,
     counts: PassCounts,
     bound: Bound,
 }
@@ -95,20 +54,20 @@ impl<'r, 'a> Pass<'r, 'a> {
     /// Records one rendering instance.
     pub(super) fn record(
         recorder: &'r mut Recorder<'a>,
-        info: &PassInfo<'a>,
+        rendering: Rendering<'a>,
         draw: impl FnOnce(&mut Self),
     ) -> PassCounts {
-        begin_rendering(recorder, info);
+        begin_rendering(recorder, &rendering);
         let mut pass = Self {
             recorder,
-            targets: info.targets(),
             counts: PassCounts {
-                name: info.name.to_owned(),
+                name: rendering.name.to_owned(),
                 draws: 0,
                 pipeline_binds: 0,
                 descriptor_set_binds: 0,
             },
             bound: Bound::default(),
+            rendering,
         };
         draw(&mut pass);
         // SAFETY: rendering was begun above.
@@ -120,6 +79,10 @@ impl<'r, 'a> Pass<'r, 'a> {
         &self.recorder.device
     }
 
+    fn targets(&self) -> Targets {
+        self.rendering.targets
+    }
+
     /// Binds the pipeline.
     ///
     /// # Panics
@@ -128,7 +91,7 @@ impl<'r, 'a> Pass<'r, 'a> {
         assert!(pipeline.is_of(self.device()), "a pipeline of this device");
         assert_eq!(
             pipeline.targets(),
-            self.targets,
+            self.targets(),
             "a pipeline of these targets"
         );
         // SAFETY: the pipeline is this device's and fits the targets; the recorder borrows it.
@@ -142,6 +105,7 @@ impl<'r, 'a> Pass<'r, 'a> {
         self.counts.pipeline_binds += 1;
         let layout = pipeline.layout.pipeline_layout;
         self.bound.pipeline = Some((pipeline.vertex_buffers(), layout));
+        self.bound.fragments = pipeline.has_fragments();
     }
 
     /// Binds the set.
@@ -163,6 +127,10 @@ impl<'r, 'a> Pass<'r, 'a> {
         }
         self.counts.descriptor_set_binds += 1;
         self.bound.set = Some(set.layout.pipeline_layout);
+        let reads = self.rendering.reads;
+        let is_read =
+            |array: &Arc<DepthArray>| reads.iter().any(|read| std::ptr::eq(&**array, *read));
+        self.bound.unread = !set.depth_arrays().all(is_read);
     }
 
     /// Binds one buffer an attribute, and the indices.
@@ -191,13 +159,18 @@ impl<'r, 'a> Pass<'r, 'a> {
     /// Vertices and records beyond their buffers read as the device's robust access defines.
     ///
     /// # Panics
-    /// Something is not bound, or the range leaves the index buffer.
+    /// Something is not bound, the range leaves the index buffer, or a fragment shader would see
+    /// depth that is not among the pass's `reads`.
     pub fn draw(&mut self, indices: Range<u32>, vertex_offset: i32, instance: u32) {
         let bound = &self.bound;
         let wanted = bound.set.map(|layout| (bound.vertex_buffers, layout));
         assert!(
             wanted.is_some() && bound.pipeline == wanted,
             "a pipeline, a set of its layout and its vertex buffers are bound"
+        );
+        assert!(
+            !(bound.fragments && bound.unread),
+            "the pass reads the depth that its set holds"
         );
         let fits = bound
             .indices
@@ -220,40 +193,21 @@ impl<'r, 'a> Pass<'r, 'a> {
     }
 }
 
-fn begin_rendering(recorder: &Recorder, info: &PassInfo) {
-    let mut color = vk::RenderingAttachmentInfo::default()
-        .image_view(info.color.view)
-        .image_layout(vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL)
-        .load_op(vk::AttachmentLoadOp::CLEAR)
-        .store_op(vk::AttachmentStoreOp::STORE);
-    if let Some(resolve) = info.resolve {
-        color = color
-            .resolve_mode(vk::ResolveModeFlags::AVERAGE)
-            .resolve_image_view(resolve.view)
-            .resolve_image_layout(vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL)
-            .store_op(vk::AttachmentStoreOp::DONT_CARE);
-    }
-    // Both clear values are all zero bits: transparent black, and far in reversed depth.
-    let depth = vk::RenderingAttachmentInfo::default()
-        .image_view(info.depth.view)
-        .image_layout(vk::ImageLayout::DEPTH_ATTACHMENT_OPTIMAL)
-        .load_op(vk::AttachmentLoadOp::CLEAR)
-        .store_op(vk::AttachmentStoreOp::DONT_CARE);
+fn begin_rendering(recorder: &Recorder, rendering: &Rendering) {
     let area = vk::Rect2D {
         offset: vk::Offset2D::default(),
-        extent: info.color.extent(),
+        extent: rendering.extent,
     };
-    let colors = [color];
-    let rendering = vk::RenderingInfo::default()
+    let info = vk::RenderingInfo::default()
         .render_area(area)
         .layer_count(1)
-        .color_attachments(&colors)
-        .depth_attachment(&depth);
-    // SAFETY: the targets are in the layouts named, and `PassInfo::check` found that they fit.
+        .color_attachments(rendering.color.as_slice())
+        .depth_attachment(&rendering.depth);
+    // SAFETY: the targets are in the layouts named, and the pass's `check` found that they fit.
     unsafe {
         let raw = &recorder.device.raw;
         let commands = recorder.commands;
-        raw.cmd_begin_rendering(commands, &rendering);
+        raw.cmd_begin_rendering(commands, &info);
         raw.cmd_set_viewport(commands, 0, &[flipped_viewport(area.extent)]);
         raw.cmd_set_scissor(commands, 0, &[area]);
     }

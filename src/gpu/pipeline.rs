@@ -1,4 +1,4 @@
-//! How do two shaders become the pipeline that draws every material?
+//! How do shaders become the pipeline that draws every material, or depth alone?
 
 use std::sync::Arc;
 
@@ -18,6 +18,26 @@ pub struct Attribute {
     pub location: u32,
     /// Its format; the buffer is tightly packed.
     pub format: VertexFormat,
+    /// Which element of the buffer a vertex gets.
+    pub rate: Rate,
+}
+
+/// How an attribute advances from vertex to vertex.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Rate {
+    /// Each vertex has its own element.
+    PerVertex,
+    /// All have the first: a buffer of one element stands for what a mesh lacks.
+    Constant,
+}
+
+/// Which triangles are left out.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Cull {
+    /// None: faces are two-sided.
+    None,
+    /// Those whose corners run clockwise, seen from the eye.
+    Back,
 }
 
 /// A specialization constant and its value.
@@ -37,8 +57,8 @@ pub struct Spirv(pub(crate) &'static [u32]);
 /// What a pipeline draws to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Targets {
-    /// Colour.
-    pub color: TargetFormat,
+    /// Colour; none where depth is all that is drawn.
+    pub color: Option<TargetFormat>,
     /// Depth.
     pub depth: TargetFormat,
     /// Samples a pixel of both.
@@ -52,25 +72,28 @@ pub struct PipelineInfo<'a> {
     pub name: &'a str,
     /// SPIR-V of the vertex stage.
     pub vertex: Spirv,
-    /// SPIR-V of the fragment stage.
-    pub fragment: Spirv,
+    /// SPIR-V of the fragment stage; without one, depth alone can be drawn.
+    pub fragment: Option<Spirv>,
     /// Vertex attributes; attribute `i` comes from vertex buffer `i`.
     pub attributes: &'a [Attribute],
     /// Values for both stages.
     pub constants: &'a [Constant],
     /// What it draws to.
     pub targets: Targets,
+    /// Which triangles are left out.
+    pub cull: Cull,
 }
 
 /// A graphics pipeline; it holds the layout that it was made for.
 ///
-/// Triangle list; no culling (faces are two-sided); depth tested with GREATER and written, since
+/// Triangle list; counter-clockwise faces are front; depth tested with GREATER and written, since
 /// depth is reversed; always blended, premultiplied (ONE, ONE_MINUS_SRC_ALPHA), so that one pipeline
 /// serves opaque materials and glass.
 pub struct Pipeline {
     pub(super) raw: vk::Pipeline,
     pub(super) layout: Arc<SetLayout>,
     attributes: usize,
+    has_fragments: bool,
     targets: Targets,
     device: Arc<Device>,
 }
@@ -78,6 +101,9 @@ pub struct Pipeline {
 impl Pipeline {
     /// Makes the pipeline. On some drivers (lavapipe) this only takes note, and the first draw
     /// compiles.
+    ///
+    /// # Panics
+    /// It would draw colour without a fragment stage, or reads more attributes than the device can.
     ///
     /// # Errors
     /// The driver fails.
@@ -94,15 +120,24 @@ impl Pipeline {
         );
         let limit = device.limits.max_vertex_input_bindings as usize;
         assert!(info.attributes.len() <= limit, "{}: attributes", info.name);
+        assert!(
+            info.fragment.is_some() || info.targets.color.is_none(),
+            "{}: colour comes from a fragment stage",
+            info.name
+        );
         let vertex = Module::new(device, info.vertex, info.name)?;
-        let fragment = Module::new(device, info.fragment, info.name)?;
-        let raw = create(device, layout, cache, info, &vertex, &fragment)?;
+        let fragment = info
+            .fragment
+            .map(|fragment| Module::new(device, fragment, info.name))
+            .transpose()?;
+        let raw = create(device, layout, cache, info, &vertex, fragment.as_ref())?;
         device.name(raw, info.name);
         device.count_pipeline();
         Ok(Self {
             raw,
             layout: Arc::clone(layout),
             attributes: info.attributes.len(),
+            has_fragments: info.fragment.is_some(),
             targets: info.targets,
             device: Arc::clone(device),
         })
@@ -114,6 +149,10 @@ impl Pipeline {
 
     pub(super) fn targets(&self) -> Targets {
         self.targets
+    }
+
+    pub(super) fn has_fragments(&self) -> bool {
+        self.has_fragments
     }
 
     /// How many vertex buffers it reads.
@@ -160,22 +199,19 @@ fn create(
     cache: &PipelineCache,
     info: &PipelineInfo,
     vertex: &Module,
-    fragment: &Module,
+    fragment: Option<&Module>,
 ) -> Result<vk::Pipeline, Error> {
     let (entries, values) = specialization(info.constants);
     let constants = vk::SpecializationInfo::default()
         .map_entries(&entries)
         .data(bytemuck::cast_slice(&values));
-    let stage = |stage, module: &Module| {
-        vk::PipelineShaderStageCreateInfo::default()
-            .stage(stage)
-            .module(module.raw)
-            .name(c"main")
-    };
-    let stages = [
-        stage(vk::ShaderStageFlags::VERTEX, vertex).specialization_info(&constants),
-        stage(vk::ShaderStageFlags::FRAGMENT, fragment).specialization_info(&constants),
-    ];
+    let stages: Vec<_> = [
+        (vk::ShaderStageFlags::VERTEX, Some(vertex)),
+        (vk::ShaderStageFlags::FRAGMENT, fragment),
+    ]
+    .into_iter()
+    .filter_map(|(stage, module)| Some(stage_info(stage, module?, &constants)))
+    .collect();
     let (bindings, attributes) = vertex_layout(info.attributes);
     let vertex_input = vk::PipelineVertexInputStateCreateInfo::default()
         .vertex_binding_descriptions(&bindings)
@@ -185,15 +221,15 @@ fn create(
     let viewport = vk::PipelineViewportStateCreateInfo::default()
         .viewport_count(1)
         .scissor_count(1);
-    let raster = two_sided();
+    let raster = rasterization(info.cull);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(info.targets.samples.vulkan());
     let depth = reversed_depth();
-    let attachments = [premultiplied()];
+    let colors: Vec<_> = info.targets.color.iter().map(|c| c.vulkan()).collect();
+    let attachments = vec![premultiplied(); colors.len()];
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
     let dynamic_states = [vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR];
     let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&dynamic_states);
-    let colors = [info.targets.color.vulkan()];
     let mut rendering = vk::PipelineRenderingCreateInfo::default()
         .color_attachment_formats(&colors)
         .depth_attachment_format(info.targets.depth.vulkan());
@@ -219,6 +255,18 @@ fn create(
         Ok(pipelines) => Ok(pipelines[0]),
         Err((_, result)) => Err(result).named("vkCreateGraphicsPipelines"),
     }
+}
+
+fn stage_info<'a>(
+    stage: vk::ShaderStageFlags,
+    module: &Module,
+    constants: &'a vk::SpecializationInfo,
+) -> vk::PipelineShaderStageCreateInfo<'a> {
+    vk::PipelineShaderStageCreateInfo::default()
+        .stage(stage)
+        .module(module.raw)
+        .name(c"main")
+        .specialization_info(constants)
 }
 
 fn specialization(constants: &[Constant]) -> (Vec<vk::SpecializationMapEntry>, Vec<i32>) {
@@ -247,7 +295,10 @@ fn vertex_layout(
             (
                 vk::VertexInputBindingDescription::default()
                     .binding(binding)
-                    .stride(attribute.format.bytes())
+                    .stride(match attribute.rate {
+                        Rate::PerVertex => attribute.format.bytes(),
+                        Rate::Constant => 0,
+                    })
                     .input_rate(vk::VertexInputRate::VERTEX),
                 vk::VertexInputAttributeDescription::default()
                     .location(attribute.location)
@@ -258,10 +309,13 @@ fn vertex_layout(
         .unzip()
 }
 
-fn two_sided() -> vk::PipelineRasterizationStateCreateInfo<'static> {
+fn rasterization(cull: Cull) -> vk::PipelineRasterizationStateCreateInfo<'static> {
     vk::PipelineRasterizationStateCreateInfo::default()
         .polygon_mode(vk::PolygonMode::FILL)
-        .cull_mode(vk::CullModeFlags::NONE)
+        .cull_mode(match cull {
+            Cull::None => vk::CullModeFlags::NONE,
+            Cull::Back => vk::CullModeFlags::BACK,
+        })
         .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
         .line_width(1.0)
 }

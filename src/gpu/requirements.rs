@@ -1,7 +1,8 @@
 //! What must a device have to run Umber?
 //!
 //! Little, so that both CPU drivers and any desktop GPU of the last ten years fit: Vulkan 1.3 with
-//! dynamic rendering and synchronization2, a graphics queue, and a 32-bit float target that blends.
+//! dynamic rendering and synchronization2, a graphics queue, a 32-bit float target that blends, and a
+//! depth target that can be sampled. Every device samples the texture formats.
 
 use ash::vk;
 
@@ -30,9 +31,10 @@ pub(super) fn missing(
     if !has_format(instance, device, COLOR.vulkan(), blend) {
         missing.push("a blended R32G32B32A32_SFLOAT target".into());
     }
-    let depth = vk::FormatFeatureFlags::DEPTH_STENCIL_ATTACHMENT;
+    let depth =
+        vk::FormatFeatureFlags::DEPTH_STENCIL_ATTACHMENT | vk::FormatFeatureFlags::SAMPLED_IMAGE;
     if !has_format(instance, device, DEPTH.vulkan(), depth) {
-        missing.push("a D32_SFLOAT target".into());
+        missing.push("a sampled D32_SFLOAT target".into());
     }
     missing
 }

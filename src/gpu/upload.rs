@@ -9,7 +9,7 @@ use super::error::Error;
 
 /// The largest staging buffer: big enough that a copy is bandwidth and not overhead, small enough
 /// that a scene of gigabytes is never in memory twice over.
-const STAGING_BYTES: u64 = 32 << 20;
+pub(super) const STAGING_BYTES: u64 = 32 << 20;
 
 /// Fills a buffer from its start to its end, piece by piece.
 pub struct Upload {

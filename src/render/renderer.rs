@@ -11,8 +11,8 @@ use super::shading_pass::Shading;
 use super::targets::Targets;
 use super::variant::Variant;
 use crate::gpu::{
-    self, Attribute, Buffer, Device, PassCounts, Pipeline, PipelineCache, PipelineInfo, Recorder,
-    Samples, SetLayout, Spirv, Timestamps, VertexFormat, requirements,
+    self, Attribute, Buffer, Cull, Device, PassCounts, Pipeline, PipelineCache, PipelineInfo, Rate,
+    Recorder, Samples, SetLayout, Spirv, Timestamps, VertexFormat, requirements,
 };
 use crate::interface::reflected::vertex_inputs;
 use crate::interface::spirv;
@@ -22,10 +22,12 @@ const ATTRIBUTES: [Attribute; 2] = [
     Attribute {
         location: vertex_inputs::in_position,
         format: VertexFormat::Rgb32Float,
+        rate: Rate::PerVertex,
     },
     Attribute {
         location: vertex_inputs::in_normal,
         format: VertexFormat::Rgb32Float,
+        rate: Rate::PerVertex,
     },
 ];
 
@@ -177,14 +179,15 @@ impl Renderer {
         let info = PipelineInfo {
             name: &format!("surface[{variant}]"),
             vertex: Spirv(spirv::SURFACE_VERT),
-            fragment: Spirv(spirv::SURFACE_FRAG),
+            fragment: Some(Spirv(spirv::SURFACE_FRAG)),
             attributes: &ATTRIBUTES,
             constants: &variant.constants(),
             targets: gpu::Targets {
-                color: requirements::COLOR,
+                color: Some(requirements::COLOR),
                 depth: requirements::DEPTH,
                 samples,
             },
+            cull: Cull::None,
         };
         let pipeline = Pipeline::new(&self.device, &self.layout, &self.cache, &info)?;
         let pipeline = Arc::new(pipeline);

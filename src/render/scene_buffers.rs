@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::draw_list::DrawList;
 use super::{camera, records};
 use crate::gpu::{
-    Binding, BindingKind, Buffer, BufferUse, DescriptorSet, Device, Error, SetLayout, Upload,
+    Binding, BindingKind, Buffer, BufferUse, DescriptorSet, Device, Error, Resource, SetLayout,
+    Upload,
 };
 use crate::interface::reflected::bindings;
 use crate::interface::{Frame, Light};
@@ -97,7 +98,8 @@ impl SceneBuffers {
     /// # Errors
     /// The driver fails.
     pub fn set(&self, layout: &Arc<SetLayout>) -> Result<DescriptorSet, Error> {
-        DescriptorSet::new(layout, "the set", &self.records)
+        let resources = self.records.clone().map(Resource::Buffer);
+        DescriptorSet::new(layout, "the set", &resources)
     }
 }
 

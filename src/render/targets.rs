@@ -59,6 +59,7 @@ impl Targets {
             color: &self.color,
             resolve: self.resolved.as_ref(),
             depth: &self.depth,
+            reads: &[],
         }
     }
 

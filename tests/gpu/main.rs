@@ -7,6 +7,7 @@ mod blending;
 mod canaries;
 mod claim;
 mod corrections;
+mod depth_passes;
 mod device;
 mod golden;
 mod harness;
@@ -15,6 +16,7 @@ mod physics;
 mod records;
 mod slides_breakdown;
 mod spheres;
+mod textures;
 #[path = "../tolerances.rs"]
 mod tolerances;
 mod zoo;
