@@ -50,6 +50,15 @@ pub const FOUR_DECIMALS: f64 = 1.0e-4;
 /// Figures that are stated to five decimals.
 pub const FIVE_DECIMALS: f64 = 5.0e-6;
 
+/// A texel against its definition in f64: a handful of f32 roundings and a power of 2.4.
+pub const TEXEL: f64 = 1.0e-6;
+
+/// A flat colour that was a JPEG, in codes of 8 bits: a rounding to YCbCr and one back, each of up to a code.
+pub const JPEG_CODES: f64 = 2.0;
+
+/// A tangent's length and angle to its normal: some tens of f32 roundings.
+pub const TANGENT: f64 = 1.0e-5;
+
 /// The share of sky that the ambient reflection takes, against the integral of its lobe: what the fit reaches.
 pub const SKY_SHARE_WORST: f64 = 0.17;
 /// The same in the mean square over roughness, view and tilt.

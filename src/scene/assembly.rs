@@ -13,10 +13,14 @@ use super::error::Error;
 use super::layers::{Layer, Layers};
 use super::lights::{self, MAX_LIGHTS};
 use super::materials::{self, Material, Palette};
-use super::mesh::Bounds;
+use super::mesh::{Bounds, Mesh};
 use super::models::{Loader, Lone, Placed};
+use super::normals::TooManyVertices;
 use super::overrides::Override;
-use super::{LoadOptions, Object, Scene, camera, framing, quote, suggest};
+use super::texture_loader::TextureLoader;
+use super::{
+    LoadOptions, Object, Scene, box_projection, camera, framing, quote, suggest, tangents,
+};
 
 /// The scene that `text` describes, a layer of the file `path`. `lone` for an OBJ file by itself.
 pub(super) fn build(
@@ -118,27 +122,71 @@ fn finish(
         lights.push(lights::build(name, text, layers)?);
     }
     // All of the scene's own materials are checked, used or not.
+    let mut textures = TextureLoader::new(loader.folder);
     for name in palette.scene_names() {
         palette.build(name, layers)?;
+        textures.check(name, &palette.maps(name, layers)?, layers)?;
     }
-    let (objects, materials) = dress(placed, palette, layers)?;
+    let (objects, materials) = dress(placed, palette, &mut textures, layers)?;
+    let mut warnings = loader.warnings;
+    warnings.extend(textures.warnings.into_text());
     let camera = description.camera.clone().unwrap_or_default();
     let ambient = description.ambient.clone().unwrap_or_default();
+    let mut meshes = loader.meshes;
+    lay_textures(&mut meshes, &objects, &materials, layers)?;
     Ok(Scene {
         camera: camera::build(&camera, layers)?,
         ambient: lights::build_ambient(&ambient, layers)?,
         lights,
         materials,
-        meshes: loader.meshes,
+        meshes,
+        textures: textures.textures,
         objects,
-        warnings: loader.warnings,
+        warnings,
     })
+}
+
+/// Gives meshes what the pictures of their objects need, coordinates and tangents, and takes away
+/// what none needs.
+fn lay_textures(
+    meshes: &mut [Mesh],
+    objects: &[Object],
+    materials: &[Material],
+    layers: &Layers,
+) -> Result<(), Error> {
+    let mut needs = vec![(false, false); meshes.len()];
+    for object in objects {
+        let maps = &materials[object.material].maps;
+        let (any, normal) = &mut needs[object.mesh];
+        *any |= !maps.is_empty();
+        *normal |= maps.normal.is_some();
+    }
+    for (mesh, (any, normal)) in meshes.iter_mut().zip(needs) {
+        let done = match (any, mesh.coordinates.is_empty()) {
+            (true, true) => box_projection::project(mesh),
+            (true, false) => Ok(()),
+            (false, _) => {
+                mesh.coordinates = Vec::new();
+                Ok(())
+            }
+        };
+        let done = done.and_then(|()| if normal { tangents::make(mesh) } else { Ok(()) });
+        done.map_err(|TooManyVertices| {
+            let name = quote::short(&mesh.name);
+            let message = format!(
+                "'{name}' has more than 4294967295 vertices where its pictures meet: split the mesh"
+            );
+            layers.error(&["model"], message)
+        })?;
+    }
+    Ok(())
 }
 
 /// Objects with their materials; only materials in use are kept, in the order of first use.
 fn dress(
     placed: Vec<Placed>,
     palette: &Palette,
+    textures: &mut TextureLoader,
     layers: &Layers,
 ) -> Result<(Vec<Object>, Vec<Material>), Error> {
     let mut used: IndexMap<String, Material> = IndexMap::new();
@@ -153,7 +201,9 @@ fn dress(
                     let message = suggest::unknown("material", name, palette.names());
                     return Err(layers.error(&key, format!("{}: {message}", quote::key(&key))));
                 }
-                let built = palette.build(name, layers)?;
+                let mut built = palette.build(name, layers)?;
+                let maps = palette.maps(name, layers)?;
+                textures.dress(&mut built.maps, name, &maps, layers)?;
                 used.insert_full(part.material, built).0
             }
         };

@@ -4,10 +4,14 @@
 //! key is optional here; what must be there, and in which range, is checked after the merge.
 
 use std::fmt;
+use std::path::PathBuf;
 
 use indexmap::IndexMap;
-use serde::de::{self, SeqAccess, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
+
+use super::maps::Slot;
 
 /// A whole scene file, or a part of one.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
@@ -71,6 +75,8 @@ pub(super) struct LightText {
     pub kind: Option<LightKindText>,
     /// Weight per channel of illuminance or intensity; white if absent.
     pub color: Option<Triple>,
+    /// Whether it casts shadows; false if absent.
+    pub shadow: Option<bool>,
     /// The way the light travels (directional, spot).
     pub direction: Option<[f64; 3]>,
     /// On a surface that faces the light, lx (directional).
@@ -118,6 +124,124 @@ pub(super) struct MaterialText {
     pub emission: Option<Triple>,
     /// Phong's exponent; from `roughness` if absent.
     pub shininess: Option<f64>,
+    /// Whether the back is drawn; true if absent.
+    pub two_sided: Option<bool>,
+    /// Multiplies `albedo`.
+    pub base_color_map: Option<MapText>,
+    /// Multiplies `roughness`.
+    pub roughness_map: Option<MapText>,
+    /// Times `metalness`: how much of the surface is metal.
+    pub metalness_map: Option<MapText>,
+    /// Normals in the frame of the coordinates, green up.
+    pub normal_map: Option<MapText>,
+    /// Multiplies `emission`.
+    pub emission_map: Option<MapText>,
+    /// Multiplies the ambient light.
+    pub occlusion_map: Option<MapText>,
+    /// Below `alpha_cutoff` there is no surface.
+    pub alpha_mask: Option<MapText>,
+    /// Repeats per unit of the coordinates: per metre on a surface that has none.
+    pub map_repeat: Option<Pair>,
+    /// 0..1, with a `metalness_map`.
+    pub metalness: Option<f64>,
+    /// 0..10, with a `normal_map`.
+    pub normal_scale: Option<f64>,
+    /// 0..1, with an `alpha_mask`.
+    pub alpha_cutoff: Option<f64>,
+}
+
+impl MaterialText {
+    /// The picture of a slot.
+    pub(super) fn map(&self, slot: Slot) -> Option<&MapText> {
+        match slot {
+            Slot::BaseColor => self.base_color_map.as_ref(),
+            Slot::Roughness => self.roughness_map.as_ref(),
+            Slot::Metalness => self.metalness_map.as_ref(),
+            Slot::Normal => self.normal_map.as_ref(),
+            Slot::Emission => self.emission_map.as_ref(),
+            Slot::Occlusion => self.occlusion_map.as_ref(),
+            Slot::AlphaMask => self.alpha_mask.as_ref(),
+        }
+    }
+
+    /// True where some slot has a picture.
+    pub(super) fn has_maps(&self) -> bool {
+        Slot::ALL.iter().any(|&slot| self.map(slot).is_some())
+    }
+}
+
+/// `"FILE"` or `{ file = "FILE", channel = "g" }`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct MapText {
+    /// Relative to the scene's folder and inside it.
+    pub file: Option<String>,
+    /// Of slots that have one number per texel.
+    pub channel: Option<Channel>,
+    /// What an MTL file says besides; None for a scene's.
+    #[serde(skip)]
+    pub origin: Option<MtlOrigin>,
+}
+
+/// Which number of a pixel a texture takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, Serialize)]
+pub(super) enum Channel {
+    #[serde(rename = "r")]
+    Red,
+    #[serde(rename = "g")]
+    Green,
+    #[serde(rename = "b")]
+    Blue,
+    #[serde(rename = "a")]
+    Alpha,
+}
+
+/// Where an MTL file names a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct MtlOrigin {
+    pub path: PathBuf,
+    pub line: usize,
+    /// The factor of heights (`-bm`), where the picture may be one of heights.
+    pub bump: Option<f32>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MapTable {
+    file: Option<String>,
+    channel: Option<Channel>,
+}
+
+impl<'de> Deserialize<'de> for MapText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(MapVisitor)
+    }
+}
+
+struct MapVisitor;
+
+impl<'de> Visitor<'de> for MapVisitor {
+    type Value = MapText;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the name of an image file or { file = \"...\", channel = \"...\" }")
+    }
+
+    fn visit_str<E: de::Error>(self, file: &str) -> Result<MapText, E> {
+        Ok(MapText {
+            file: Some(file.to_owned()),
+            channel: None,
+            origin: None,
+        })
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<MapText, A::Error> {
+        let table = MapTable::deserialize(MapAccessDeserializer::new(table))?;
+        Ok(MapText {
+            file: table.file,
+            channel: table.channel,
+            origin: None,
+        })
+    }
 }
 
 /// `[model.NAME]`
@@ -144,39 +268,50 @@ pub(super) struct ModelText {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(super) struct Triple(pub [f64; 3]);
 
+/// Two numbers, or one that stands for both.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(super) struct Pair(pub [f64; 2]);
+
 impl<'de> Deserialize<'de> for Triple {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(TripleVisitor)
+        deserializer.deserialize_any(OneOrAll).map(Self)
     }
 }
 
-struct TripleVisitor;
+impl<'de> Deserialize<'de> for Pair {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(OneOrAll).map(Self)
+    }
+}
 
-impl<'de> Visitor<'de> for TripleVisitor {
-    type Value = Triple;
+struct OneOrAll<const N: usize>;
+
+impl<'de, const N: usize> Visitor<'de> for OneOrAll<N> {
+    type Value = [f64; N];
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number or an array of three numbers")
+        let count = if N == 2 { "two" } else { "three" };
+        write!(f, "a number or an array of {count} numbers")
     }
 
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Triple, E> {
-        Ok(Triple([value; 3]))
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<[f64; N], E> {
+        Ok([value; N])
     }
 
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Triple, E> {
-        Ok(Triple([value as f64; 3]))
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<[f64; N], E> {
+        Ok([value as f64; N])
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Triple, A::Error> {
-        let mut values = [0.0; 3];
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<[f64; N], A::Error> {
+        let mut values = [0.0; N];
         for (count, value) in values.iter_mut().enumerate() {
             *value = list
                 .next_element()?
                 .ok_or_else(|| de::Error::invalid_length(count, &self))?;
         }
         if list.next_element::<f64>()?.is_some() {
-            return Err(de::Error::invalid_length(4, &self));
+            return Err(de::Error::invalid_length(N + 1, &self));
         }
-        Ok(Triple(values))
+        Ok(values)
     }
 }

@@ -26,6 +26,8 @@ pub struct Light {
     pub name: String,
     /// The weight of each channel, linear sRGB; multiplies illuminance or intensity.
     pub color: [f32; 3],
+    /// Whether what stands in its way keeps its light off.
+    pub shadow: bool,
     pub kind: LightKind,
 }
 
@@ -101,6 +103,7 @@ pub(super) fn build(name: &str, text: &LightText, layers: &Layers) -> Result<Lig
     Ok(Light {
         name: name.to_owned(),
         color: layers.triple(&["light", name, "color"], color, LIGHT)?,
+        shadow: text.shadow.unwrap_or(false),
         kind: match kind {
             LightKindText::Directional => at.directional(text)?,
             LightKindText::Point => at.point(text)?,

@@ -3,9 +3,10 @@
 use indexmap::IndexMap;
 
 use super::checks::{LIGHT, Range, UNIT};
-use super::description::{Description, MaterialText, Triple};
+use super::description::{Description, MapText, MaterialText, Triple};
 use super::error::Error;
 use super::layers::Layers;
+use super::maps::{Maps, Slot};
 use super::{quote, suggest};
 
 /// The numbers of one material. Colours are linear sRGB.
@@ -26,6 +27,35 @@ pub struct Material {
     pub emission: [f32; 3],
     /// Phong's exponent, 0..10000.
     pub shininess: f32,
+    /// Whether the back is drawn, lit as the front.
+    pub two_sided: bool,
+    pub maps: Maps,
+    /// 0..1, multiplies the metalness map; without one it has no effect.
+    pub metalness: f32,
+    /// 0..10, multiplies x and y of the normal map.
+    pub normal_scale: f32,
+    /// 0..1: where the alpha mask is below, there is no surface.
+    pub alpha_cutoff: f32,
+}
+
+/// What a material is that states nothing.
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            name: DEFAULT_NAME.to_owned(),
+            albedo: [DEFAULT_ALBEDO as f32; 3],
+            f0: [DIELECTRIC_F0 as f32; 3],
+            roughness: DEFAULT_ROUGHNESS as f32,
+            opacity: 1.0,
+            emission: [0.0; 3],
+            shininess: shininess_from_roughness(DEFAULT_ROUGHNESS) as f32,
+            two_sided: true,
+            maps: Maps::default(),
+            metalness: 1.0,
+            normal_scale: 1.0,
+            alpha_cutoff: DEFAULT_CUTOFF as f32,
+        }
+    }
 }
 
 /// The largest Phong exponent. Its highlight is 0.8 degrees from the middle to half strength, about
@@ -39,6 +69,9 @@ pub(super) const DEFAULT_ROUGHNESS: f64 = 0.5;
 /// The albedo of a material that states none: the light grey of concrete.
 pub(super) const DEFAULT_ALBEDO: f64 = 0.5;
 
+/// The alpha below which a mask's surface ends: the half, as in glTF.
+const DEFAULT_CUTOFF: f64 = 0.5;
+
 /// The smallest reflectance that is not 0; see [`Material::f0`].
 const SMALLEST_F0: f32 = 1e-6;
 
@@ -47,6 +80,12 @@ const SMALLEST_F0: f32 = 1e-6;
 const LONGEST_CHAIN: usize = 32;
 
 const SHININESS: Range = Range::closed(0.0, MAX_SHININESS as f64);
+
+/// Repeats of a picture: from one over a kilometre to one over a micrometre, where coordinates are
+/// metres; between, f32 keeps them apart.
+const REPEAT: Range = Range::closed(1e-3, 1e6);
+/// A slope of 10 stands at 84 degrees: more hides what the map shows.
+const NORMAL_SCALE: Range = Range::closed(0.0, 10.0);
 
 /// The name of the material of surfaces that name none.
 pub(super) const DEFAULT_NAME: &str = "default";
@@ -96,9 +135,21 @@ impl Palette {
         self.scene.keys().map(String::as_str)
     }
 
-    /// The material `name`, checked. A name of the scene starts from what it is `like`, else from
+    /// The pictures that the material `name` has, as [`Palette::build`] does with numbers.
+    pub(super) fn maps(&self, name: &str, layers: &Layers) -> Result<Vec<(Slot, MapText)>, Error> {
+        let text = self.resolve(name, layers)?;
+        let map = |slot| text.map(slot).map(|map| (slot, map.clone()));
+        Ok(Slot::ALL.into_iter().filter_map(map).collect())
+    }
+
+    /// True where some material of the scene itself has pictures.
+    pub(super) fn scene_has_maps(description: &Description) -> bool {
+        description.material.values().any(MaterialText::has_maps)
+    }
+
+    /// The material `name`, checked, without its pictures. A name of the scene starts from what it is `like`, else from
     /// the material of its own name below, else from the defaults: albedo 0.5, f0 0.04, roughness
-    /// 0.5, opacity 1, no emission, shininess from roughness.
+    /// 0.5, opacity 1, no emission, shininess from roughness, both sides, no pictures.
     pub(super) fn build(&self, name: &str, layers: &Layers) -> Result<Material, Error> {
         let text = self.resolve(name, layers)?;
         let at = |key| ["material", name, key];
@@ -111,6 +162,7 @@ impl Palette {
             let value = value.map_or([default; 3], |triple| triple.0);
             layers.triple(&at(key), value, range)
         };
+        let repeat = text.map_repeat.map_or([1.0; 2], |pair| pair.0);
         Ok(Material {
             name: name.to_owned(),
             albedo: color("albedo", text.albedo, DEFAULT_ALBEDO, UNIT)?,
@@ -120,6 +172,25 @@ impl Palette {
             opacity: layers.number(&at("opacity"), text.opacity.unwrap_or(1.0), UNIT)?,
             emission: color("emission", text.emission, 0.0, LIGHT)?,
             shininess: layers.number(&at("shininess"), shininess, SHININESS)?,
+            two_sided: text.two_sided.unwrap_or(true),
+            maps: Maps {
+                repeat: [
+                    layers.number(&at("map_repeat"), repeat[0], REPEAT)?,
+                    layers.number(&at("map_repeat"), repeat[1], REPEAT)?,
+                ],
+                ..Maps::default()
+            },
+            metalness: layers.number(&at("metalness"), text.metalness.unwrap_or(1.0), UNIT)?,
+            normal_scale: layers.number(
+                &at("normal_scale"),
+                text.normal_scale.unwrap_or(1.0),
+                NORMAL_SCALE,
+            )?,
+            alpha_cutoff: layers.number(
+                &at("alpha_cutoff"),
+                text.alpha_cutoff.unwrap_or(DEFAULT_CUTOFF),
+                UNIT,
+            )?,
         })
     }
 
@@ -164,10 +235,27 @@ impl Palette {
 
 /// Takes from `from` what `into` lacks.
 fn fill(into: &mut MaterialText, from: &MaterialText) {
-    into.albedo = into.albedo.or(from.albedo);
-    into.f0 = into.f0.or(from.f0);
-    into.roughness = into.roughness.or(from.roughness);
-    into.opacity = into.opacity.or(from.opacity);
-    into.emission = into.emission.or(from.emission);
-    into.shininess = into.shininess.or(from.shininess);
+    fn take<T: Clone>(into: &mut Option<T>, from: &Option<T>) {
+        if into.is_none() {
+            into.clone_from(from);
+        }
+    }
+    take(&mut into.albedo, &from.albedo);
+    take(&mut into.f0, &from.f0);
+    take(&mut into.roughness, &from.roughness);
+    take(&mut into.opacity, &from.opacity);
+    take(&mut into.emission, &from.emission);
+    take(&mut into.shininess, &from.shininess);
+    take(&mut into.two_sided, &from.two_sided);
+    take(&mut into.base_color_map, &from.base_color_map);
+    take(&mut into.roughness_map, &from.roughness_map);
+    take(&mut into.metalness_map, &from.metalness_map);
+    take(&mut into.normal_map, &from.normal_map);
+    take(&mut into.emission_map, &from.emission_map);
+    take(&mut into.occlusion_map, &from.occlusion_map);
+    take(&mut into.alpha_mask, &from.alpha_mask);
+    take(&mut into.map_repeat, &from.map_repeat);
+    take(&mut into.metalness, &from.metalness);
+    take(&mut into.normal_scale, &from.normal_scale);
+    take(&mut into.alpha_cutoff, &from.alpha_cutoff);
 }

@@ -4,7 +4,8 @@ use glam::{Affine3A, Vec3};
 
 /// A list of triangles over shared vertices, in metres, counter-clockwise seen from the front.
 ///
-/// `normals` has one unit vector per position; `indices` has three entries per triangle.
+/// `normals` has one unit vector per position; `indices` has three entries per triangle. Coordinates
+/// are there where a material in use has pictures, tangents where one of them is a normal map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// What messages call it: a shape's part, or an object of an OBJ file.
@@ -15,6 +16,12 @@ pub struct Mesh {
     pub normals: Vec<[f32; 3]>,
     /// Three vertex numbers per triangle.
     pub indices: Vec<u32>,
+    /// Texture coordinates, one per position or none at all: u to the right, v up, the picture's
+    /// lower left corner at (0, 0). Finite.
+    pub coordinates: Vec<[f32; 2]>,
+    /// One per position or none at all: a unit vector along u at right angles to the normal, and
+    /// 1, or -1 where the picture lies mirrored. The direction of v is w (normal x tangent).
+    pub tangents: Vec<[f32; 4]>,
 }
 
 impl Mesh {

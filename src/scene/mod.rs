@@ -10,17 +10,21 @@
 //! * No file makes this floor panic, and none outside the scene's folder is read.
 
 mod assembly;
+mod box_projection;
 mod camera;
 mod checks;
 mod description;
 mod error;
 mod framing;
+mod image_file;
 mod layers;
 mod lights;
+mod maps;
 mod materials;
 mod mesh;
 mod models;
 mod mtl;
+mod mtl_maps;
 mod normals;
 mod obj;
 mod obj_scene;
@@ -30,6 +34,9 @@ mod paths;
 mod quote;
 pub mod shapes;
 mod suggest;
+mod tangents;
+mod texture;
+mod texture_loader;
 mod toml_file;
 mod warnings;
 
@@ -38,10 +45,13 @@ use std::path::Path;
 pub use camera::{Camera, Projection};
 pub use error::{Error, Place};
 pub use lights::{Ambient, Light, LightKind, MAX_LIGHTS};
+pub use maps::{Maps, Slot};
 pub use materials::{MAX_SHININESS, Material, roughness_from_shininess, shininess_from_roughness};
 pub use mesh::{Bounds, Mesh};
 pub use models::MAX_OBJECTS;
 pub use normals::CREASE_DEGREES;
+pub use texture::{MAX_TEXEL_EMISSION, MAX_TEXTURE_PIXELS, MAX_TEXTURE_SIDE, Texture};
+pub use texture_loader::MAX_TEXTURES;
 
 /// A loaded scene. Numbers of `objects` are valid indices of `meshes` and `materials`.
 #[derive(Clone, Debug)]
@@ -53,6 +63,8 @@ pub struct Scene {
     /// The materials in use, in the order of their first use.
     pub materials: Vec<Material>,
     pub meshes: Vec<Mesh>,
+    /// The pictures of the materials in use, each file once per slot and channel.
+    pub textures: Vec<Texture>,
     /// At least one, at most [`MAX_OBJECTS`].
     pub objects: Vec<Object>,
     /// What was passed over while loading, for the user to read.

@@ -10,7 +10,7 @@ use super::checks::{COORDINATE, LARGEST_SCALE, Range};
 use super::description::{Description, MaterialText, ModelText};
 use super::error::Error;
 use super::layers::Layers;
-use super::materials::DEFAULT_NAME;
+use super::materials::{DEFAULT_NAME, Palette};
 use super::mesh::Mesh;
 use super::obj::{self, ObjFile};
 use super::shapes::Shape;
@@ -61,10 +61,12 @@ pub(super) struct Lone {
 
 /// Loads each mesh once, however many models use it.
 pub(super) struct Loader<'a> {
-    folder: &'a Path,
+    pub folder: &'a Path,
     /// An OBJ file by itself: its materials keep their own names.
     lone: Option<Lone>,
     progress: bool,
+    /// Whether texture coordinates are wanted of files whose MTL has no picture.
+    coordinates: bool,
     files: HashMap<PathBuf, Vec<Part>>,
     shapes: HashMap<Shape, Vec<Part>>,
     pub meshes: Vec<Mesh>,
@@ -80,6 +82,7 @@ impl<'a> Loader<'a> {
             folder,
             lone,
             progress,
+            coordinates: false,
             files: HashMap::new(),
             shapes: HashMap::new(),
             meshes: Vec::new(),
@@ -97,6 +100,7 @@ impl<'a> Loader<'a> {
         if description.model.is_empty() {
             return Err(layers.error(&[], "has no [model.NAME]: there is nothing to draw"));
         }
+        self.coordinates = Palette::scene_has_maps(description);
         let mut placed = Vec::new();
         for (name, text) in &description.model {
             let transform = transform(name, text, layers)?;
@@ -163,7 +167,7 @@ impl<'a> Loader<'a> {
             layers.error(&place, format!("{key} = '{file}' {message}"))
         };
         if let Some(lone) = self.lone.as_ref().filter(|lone| lone.name == file) {
-            let loaded = obj::load(&lone.path, &lone.folder, self.progress)?;
+            let loaded = obj::load(&lone.path, &lone.folder, self.progress, self.coordinates)?;
             return Ok(self.take(file, loaded));
         }
         let Some(found) = paths::inside(self.folder, file).map_err(refuse)? else {
@@ -181,7 +185,7 @@ impl<'a> Loader<'a> {
             return Err(refuse("is not an .obj file".to_owned()));
         }
         let folder = path.parent().unwrap_or(Path::new(""));
-        let loaded = obj::load(path, folder, self.progress)?;
+        let loaded = obj::load(path, folder, self.progress, self.coordinates)?;
         let parts = self.take(file, loaded);
         self.files.insert(found.real, parts.clone());
         Ok(parts)

@@ -13,12 +13,14 @@ use indexmap::IndexMap;
 
 use super::camera::DEFAULT_EV100;
 use super::checks::BRIGHTEST;
-use super::description::{MaterialText, Triple};
+use super::description::{MapText, MaterialText, MtlOrigin, Triple};
 use super::error::Error;
+use super::maps::Slot;
 use super::materials::{
     DEFAULT_ALBEDO, DEFAULT_ROUGHNESS, DIELECTRIC_F0, MAX_SHININESS, roughness_from_shininess,
     shininess_from_roughness,
 };
+use super::mtl_maps::{self, MaterialMaps};
 use super::paths::BYTE_ORDER_MARK;
 use super::quote;
 use super::quote::{material_name, text};
@@ -27,6 +29,8 @@ use super::warnings::Warnings;
 /// One MTL file as tobj reads it.
 pub(super) struct Library {
     pub materials: Vec<tobj::Material>,
+    /// The pictures of each material.
+    pub maps: Vec<MaterialMaps>,
     /// The file's size.
     pub bytes: u64,
     pub warnings: Vec<String>,
@@ -35,12 +39,21 @@ pub(super) struct Library {
 /// The most bytes that are read of one OBJ's MTL files together: a hundred thousand materials.
 pub(super) const LARGEST: u64 = 64 << 20;
 
+/// The repeats of a picture, as a scene file may have them.
+const MAP_REPEAT: (f64, f64) = (1e-3, 1e6);
+/// The largest factor of heights: white stands as high as the picture is wide.
+const MOST_BUMP: f64 = 100.0;
+
 /// What a key's values are.
 enum Kind {
     /// Three numbers (or one for all three) up to the given one.
     Color(f64),
     /// One number, between the given ones.
     Number(f64, f64),
+    /// A picture.
+    Map(Slot),
+    /// The picture that exporters write a second time.
+    AmbientMap,
     /// Known, but without effect so far: named once in a warning.
     Unused,
 }
@@ -53,9 +66,9 @@ fn kind(key: &str) -> Option<Kind> {
         "Ns" => Kind::Number(0.0, 1e6),
         "Ni" => Kind::Number(0.0, 100.0),
         "d" | "Tr" | "Pr" | "Pm" => Kind::Number(0.0, 1.0),
-        "Ps" | "Pc" | "Pcr" | "aniso" | "anisor" | "norm" | "bump" | "disp" | "decal" | "refl" => {
-            Kind::Unused
-        }
+        "map_Ka" => Kind::AmbientMap,
+        "Ps" | "Pc" | "Pcr" | "aniso" | "anisor" | "disp" | "decal" | "refl" => Kind::Unused,
+        _ if let Some(slot) = mtl_maps::slot(key) => Kind::Map(slot),
         _ if key.starts_with("map_") => Kind::Unused,
         _ => return None,
     })
@@ -86,6 +99,7 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<Library, Error> {
         homeless: None,
         warnings: Warnings::default(),
         names: IndexMap::new(),
+        maps: Vec::new(),
     };
     let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
     for raw in text.split(|&byte| byte == b'\n') {
@@ -97,6 +111,7 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<Library, Error> {
         .map_err(|error| Error::file(path, quote::message(&error.to_string())))?;
     Ok(Library {
         materials,
+        maps: clean.maps,
         bytes: bytes.len() as u64,
         warnings: clean.warnings.into_text(),
     })
@@ -113,6 +128,8 @@ struct Clean<'a> {
     homeless: Option<(String, usize, usize)>,
     warnings: Warnings,
     names: IndexMap<String, usize>,
+    /// One for each `newmtl`.
+    maps: Vec<MaterialMaps>,
 }
 
 impl Clean<'_> {
@@ -138,8 +155,15 @@ impl Clean<'_> {
         match kind {
             None => Ok(()),
             Some(Kind::Unused) => {
-                let entry = self.unused.entry(key).or_insert((self.line, 0));
-                entry.1 += 1;
+                self.unused(key, self.line);
+                Ok(())
+            }
+            Some(Kind::Map(slot)) => self.map(&key, slot, &String::from_utf8_lossy(rest)),
+            Some(Kind::AmbientMap) => {
+                let file = mtl_maps::parse(&String::from_utf8_lossy(rest)).file;
+                if let Some(maps) = self.maps.last_mut() {
+                    maps.ambient = Some((file, self.line));
+                }
                 Ok(())
             }
             Some(Kind::Color(high)) => self.color(&key, &text(rest), high),
@@ -159,6 +183,76 @@ impl Clean<'_> {
             ));
         }
         self.ready.push_str(&format!("newmtl {name}\n"));
+        self.end_material();
+        self.maps.push(MaterialMaps::default());
+        Ok(())
+    }
+
+    /// Tells of what the maps of the last material say and what is not obeyed.
+    fn end_material(&mut self) {
+        let Some(maps) = self.maps.last() else {
+            return;
+        };
+        if let Some(line) = maps.odd_ambient() {
+            self.unused("map_Ka".to_owned(), line);
+        }
+        if let Some(maps) = self.maps.last()
+            && let Some((line, slot)) = maps.odd_repeat()
+        {
+            let name = slot.name();
+            let message = format!(
+                "the {name} map has an -s of its own: it repeats as the material's first map does"
+            );
+            self.warn_at(line, message);
+        }
+    }
+
+    /// Notes a key without effect.
+    fn unused(&mut self, key: String, line: usize) {
+        self.unused.entry(key).or_insert((line, 0)).1 += 1;
+    }
+
+    /// A line that names a picture.
+    fn map(&mut self, key: &str, slot: Slot, rest: &str) -> Result<(), Error> {
+        let line = mtl_maps::parse(rest);
+        if line.file.is_empty() {
+            self.warn(format!("{key} names no file"));
+            return Ok(());
+        }
+        let (mut repeat, mut bump, mut channel) = ([1.0; 2], 1.0, None);
+        for (option, words) in &line.options {
+            match (*option, &words[..]) {
+                ("-s", words) => {
+                    for (to, word) in repeat.iter_mut().zip(words) {
+                        *to =
+                            self.number(&format!("{key} -s"), word, MAP_REPEAT.0, MAP_REPEAT.1)?;
+                    }
+                }
+                ("-bm", [word]) => {
+                    bump = self.number(&format!("{key} -bm"), word, -MOST_BUMP, MOST_BUMP)?;
+                }
+                ("-imfchan", [word]) => match mtl_maps::channel(word) {
+                    Ok(found) => channel = found,
+                    Err(()) => self.unused(format!("{key} -imfchan {word}"), self.line),
+                },
+                (option, words) if mtl_maps::changes(option, words) => {
+                    self.unused(format!("{key} {option}"), self.line);
+                }
+                _ => {}
+            }
+        }
+        let map = MapText {
+            file: Some(line.file),
+            channel,
+            origin: Some(MtlOrigin {
+                path: self.path.to_path_buf(),
+                line: self.line,
+                bump: (slot == Slot::Normal && key != "norm").then_some(bump),
+            }),
+        };
+        if let Some(maps) = self.maps.last_mut() {
+            maps.add(slot, map, repeat);
+        }
         Ok(())
     }
 
@@ -210,6 +304,7 @@ impl Clean<'_> {
     }
 
     fn report(&mut self) {
+        self.end_material();
         if let Some((key, line, count)) = self.homeless.take() {
             self.line = line;
             self.warn(match count {
@@ -225,12 +320,12 @@ impl Clean<'_> {
             });
         }
         for (key, (line, count)) in std::mem::take(&mut self.unused) {
-            self.line = line;
             let key = quote::short(&key);
-            self.warn(match count {
+            let message = match count {
                 1 => format!("{key} is not used yet"),
                 _ => format!("{key} is not used yet ({count} times, here first)"),
-            });
+            };
+            self.warn_at(line, message);
         }
     }
 
@@ -239,7 +334,11 @@ impl Clean<'_> {
     }
 
     fn warn(&mut self, message: String) {
-        let place = format!("{}:{}", quote::path(self.path), self.line);
+        self.warn_at(self.line, message);
+    }
+
+    fn warn_at(&mut self, line: usize, message: String) {
+        let place = format!("{}:{line}", quote::path(self.path));
         self.warnings.push(format!("{place}: {message}"));
     }
 }
@@ -269,14 +368,23 @@ const WHITE: f64 = 1.2 * (1_u32 << DEFAULT_EV100 as u32) as f64;
 ///   0.17 of diamond, so with a diffuse colour it is a strength and no reflectance.
 /// * roughness = Pr, else sqrt(2 / (Ns + 2)), else 0.5; shininess = Ns, else 2 / roughness^2 - 2.
 /// * opacity = d, else 1 - Tr; emission = Ke times 1229 cd/m^2, white at the default exposure.
-pub(super) fn convert(material: &tobj::Material) -> MaterialText {
+/// * Where a picture multiplies a number that is absent, the number is 1; so is a black Kd or Ke,
+///   which exporters write beside a picture. With a map_Pm, Pm multiplies it, and the surface decides
+///   between metal and not.
+pub(super) fn convert(material: &tobj::Material, maps: &MaterialMaps) -> MaterialText {
     let extra = |key: &str| {
         let word = material.unknown_param.get(key)?;
         word.parse::<f64>().ok()
     };
     let wide = |color: [f32; 3]| color.map(f64::from);
-    let diffuse = material.diffuse.map_or([DEFAULT_ALBEDO; 3], wide);
-    let metal = extra("Pm");
+    let has = |slot| maps.get(slot).is_some();
+    let given = |color: Option<[f32; 3]>, slot, default: f64| match color.map(wide) {
+        None | Some([0.0, 0.0, 0.0]) if has(slot) => [1.0; 3],
+        color => color.unwrap_or([default; 3]),
+    };
+    let diffuse = given(material.diffuse, Slot::BaseColor, DEFAULT_ALBEDO);
+    let metalness = extra("Pm");
+    let metal = metalness.filter(|_| !has(Slot::Metalness));
     let index = material.optical_density.map(f64::from).filter(|&n| n > 1.0);
     let dielectric = index.map(|n| ((n - 1.0) / (n + 1.0)).powi(2));
     let f0 = match (metal, dielectric, material.specular.map(wide)) {
@@ -289,13 +397,19 @@ pub(super) fn convert(material: &tobj::Material) -> MaterialText {
     };
     let exponent = material.shininess.map(f64::from);
     let roughness = extra("Pr")
-        .or(exponent.map(roughness_from_shininess))
-        .unwrap_or(DEFAULT_ROUGHNESS);
+        .or(exponent
+            .filter(|_| !has(Slot::Roughness))
+            .map(roughness_from_shininess))
+        .unwrap_or(if has(Slot::Roughness) {
+            1.0
+        } else {
+            DEFAULT_ROUGHNESS
+        });
     let shininess = exponent.unwrap_or_else(|| shininess_from_roughness(roughness));
     let opacity = material.dissolve.map(f64::from);
     let opacity = opacity.or(extra("Tr").map(|tr| 1.0 - tr)).unwrap_or(1.0);
-    let emission = material.emissive.map_or([0.0; 3], wide);
-    MaterialText {
+    let emission = given(material.emissive, Slot::Emission, 0.0);
+    let mut text = MaterialText {
         like: None,
         albedo: Some(Triple(diffuse.map(|kd| kd * (1.0 - metal.unwrap_or(0.0))))),
         f0: Some(Triple(f0)),
@@ -303,5 +417,9 @@ pub(super) fn convert(material: &tobj::Material) -> MaterialText {
         opacity: Some(opacity),
         emission: Some(Triple(emission.map(|ke| (ke * WHITE).min(BRIGHTEST)))),
         shininess: Some(shininess.min(f64::from(MAX_SHININESS))),
-    }
+        metalness,
+        ..MaterialText::default()
+    };
+    maps.fill(&mut text);
+    text
 }

@@ -6,6 +6,7 @@
 //! "Computing vertex normals from polygonal facets"), so that the way a surface is cut into
 //! triangles does not turn it. Both sides of a smooth edge then have the same normals.
 
+use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
 
 use glam::DVec3;
@@ -23,6 +24,8 @@ pub(super) struct Surface {
     pub positions: Vec<[f32; 3]>,
     pub normals: Vec<[f32; 3]>,
     pub indices: Vec<u32>,
+    /// Texture coordinates, one per position or none at all.
+    pub coordinates: Vec<[f32; 2]>,
 }
 
 /// More vertices than a u32 can number.
@@ -145,6 +148,8 @@ struct Point {
     /// Per group: the sum of normals, and the vertex that was given it.
     sums: Vec<DVec3>,
     vertices: Vec<Option<u32>>,
+    /// Instead of `vertices` where there are coordinates: a vertex for each that a group has.
+    seams: HashMap<(usize, [u32; 2]), u32>,
 }
 
 impl Point {
@@ -159,6 +164,7 @@ impl Point {
             parents: Vec::new(),
             sums: Vec::new(),
             vertices: Vec::new(),
+            seams: HashMap::new(),
         }
     }
 
@@ -219,6 +225,7 @@ impl Point {
     fn assign(&mut self, surface: &mut Surface) -> Result<(), TooManyVertices> {
         self.sums.clear();
         self.sums.resize(self.corners.len(), DVec3::ZERO);
+        self.seams.clear();
         self.vertices.clear();
         self.vertices.resize(self.corners.len(), None);
         for number in 0..self.corners.len() {
@@ -231,12 +238,21 @@ impl Point {
             }
             let group = find(&mut self.parents, number as u32) as usize;
             let corner = self.corners[number] as usize;
-            let vertex = match self.vertices[group] {
+            let old = surface.indices[corner];
+            let seam = surface.coordinates.get(old as usize);
+            let seam = seam.map(|pair| (group, pair.map(f32::to_bits)));
+            let known = match &seam {
+                None => self.vertices[group],
+                Some(seam) => self.seams.get(seam).copied(),
+            };
+            let vertex = match known {
                 Some(vertex) => vertex,
                 None => {
-                    let normal = self.normal(group, number);
-                    let vertex = claim(surface, surface.indices[corner], normal)?;
-                    self.vertices[group] = Some(vertex);
+                    let vertex = claim(surface, old, self.normal(group, number))?;
+                    match seam {
+                        None => self.vertices[group] = Some(vertex),
+                        Some(seam) => drop(self.seams.insert(seam, vertex)),
+                    }
                     vertex
                 }
             };
@@ -266,6 +282,9 @@ fn claim(surface: &mut Surface, vertex: u32, normal: [f32; 3]) -> Result<u32, To
     let position = surface.positions[vertex as usize];
     surface.positions.push(position);
     surface.normals.push(normal);
+    if let Some(&pair) = surface.coordinates.get(vertex as usize) {
+        surface.coordinates.push(pair);
+    }
     Ok(copy)
 }
 

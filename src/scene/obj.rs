@@ -2,8 +2,9 @@
 //!
 //! Faces become triangles, polygons as fans about their first corner (right for convex ones).
 //! Triangles without an area are dropped, with a warning: they cover nothing and have no normal.
-//! Texture coordinates, lines, points, curves and smoothing groups are passed over; where normals
-//! are missing, `normals` makes them.
+//! Lines, points, curves and smoothing groups are passed over; where normals are missing, `normals`
+//! makes them. Texture coordinates are kept where some material may have a picture; in a piece where
+//! some corners have none, these get (0, 0), with a warning.
 
 use std::cell::Cell;
 use std::collections::HashSet;
@@ -43,8 +44,29 @@ pub(super) struct Piece {
 const PROGRESS_BYTES: u64 = 16 << 20;
 
 /// Loads an OBJ file, and the MTL files that it names from `folder`. `progress` shows a bar on stderr
-/// for large ones, if it is a terminal.
-pub(super) fn load(path: &Path, folder: &Path, progress: bool) -> Result<ObjFile, Error> {
+/// for large ones, if it is a terminal. `coordinates` keeps texture coordinates although no MTL file
+/// has a picture.
+pub(super) fn load(
+    path: &Path,
+    folder: &Path,
+    progress: bool,
+    coordinates: bool,
+) -> Result<ObjFile, Error> {
+    match load_once(path, folder, progress, coordinates)? {
+        Some(file) => Ok(file),
+        // The MTL file with pictures was named after the coordinates: once more, with them.
+        None => load_once(path, folder, progress, true)?
+            .ok_or_else(|| Error::file(path, "changes while it is read: try again")),
+    }
+}
+
+/// As above; None where coordinates are needed that were not kept.
+fn load_once(
+    path: &Path,
+    folder: &Path,
+    progress: bool,
+    coordinates: bool,
+) -> Result<Option<ObjFile>, Error> {
     let file = paths::open(path)?;
     let size = file
         .metadata()
@@ -58,7 +80,7 @@ pub(super) fn load(path: &Path, folder: &Path, progress: bool) -> Result<ObjFile
     } else {
         ProgressBar::hidden()
     };
-    let result = read(path, folder, bar.wrap_read(file));
+    let result = read(path, folder, bar.wrap_read(file), coordinates);
     bar.finish_and_clear();
     result
 }
@@ -74,13 +96,19 @@ fn progress_bar(bytes: u64) -> ProgressBar {
 }
 
 /// Reads the text of an OBJ file; `path` is for messages, `folder` holds its MTL files.
-fn read(path: &Path, folder: &Path, source: impl Read) -> Result<ObjFile, Error> {
+fn read(
+    path: &Path,
+    folder: &Path,
+    source: impl Read,
+    coordinates: bool,
+) -> Result<Option<ObjFile>, Error> {
     let libraries = Libraries::default();
     let mut sieve = Sieve::new(
         BufReader::with_capacity(1 << 18, source),
         path,
         folder,
         libraries.clone(),
+        coordinates,
     );
     let options = tobj::LoadOptions {
         single_index: true,
@@ -115,32 +143,47 @@ fn read(path: &Path, folder: &Path, source: impl Read) -> Result<ObjFile, Error>
         );
         return Err(Error::file(path, message));
     }
+    if sieve.late {
+        return Ok(None);
+    }
     let mut warnings = std::mem::take(&mut sieve.warnings);
     let names: Vec<String> = materials.iter().map(|m| m.name.clone()).collect();
-    let known: HashSet<&str> = names.iter().map(String::as_str).collect();
-    for (name, line) in &sieve.used {
-        if !known.contains(name.as_str()) {
-            let (place, name) = (quote::path(path), quote::short(name));
-            warnings.push(format!(
-                "{place}:{line}: no MTL has a material '{name}'; its faces become '{DEFAULT_NAME}'"
-            ));
-        }
-    }
+    warn_of_unknown(path, &sieve.used, &names, &mut warnings);
     drop(sieve);
     let pieces = assemble(path, models, &names, &mut warnings)?;
     let mut warnings = warnings.into_text();
+    let mut maps = Vec::new();
     for library in libraries.borrow_mut().iter_mut() {
         warnings.append(&mut library.warnings);
+        maps.append(&mut library.maps);
     }
-    let materials = materials
-        .iter()
-        .map(|material| (material.name.clone(), mtl::convert(material)))
-        .collect();
-    Ok(ObjFile {
+    // tobj keeps one material for each `newmtl`, in the order of the lines.
+    let all = materials.iter().zip(&maps);
+    let text = all.map(|(material, maps)| (material.name.clone(), mtl::convert(material, maps)));
+    Ok(Some(ObjFile {
         pieces,
-        materials,
+        materials: text.collect(),
         warnings,
-    })
+    }))
+}
+
+/// Tells of the materials that faces are given and no MTL file has.
+fn warn_of_unknown(
+    path: &Path,
+    used: &IndexMap<String, usize>,
+    names: &[String],
+    warnings: &mut Warnings,
+) {
+    let known: HashSet<&str> = names.iter().map(String::as_str).collect();
+    for (name, line) in used
+        .iter()
+        .filter(|(name, _)| !known.contains(name.as_str()))
+    {
+        let (place, name) = (quote::path(path), quote::short(name));
+        warnings.push(format!(
+            "{place}:{line}: no MTL has a material '{name}'; its faces become '{DEFAULT_NAME}'"
+        ));
+    }
 }
 
 /// An object and its material's number in the MTL.
@@ -175,6 +218,13 @@ fn assemble(
         .zip(meshes)
         .filter_map(|((name, material), mut mesh)| {
             mesh.name = name;
+            if let Some(missing) = settle(&mut mesh.coordinates) {
+                let (path, name) = (quote::path(path), quote::short(&mesh.name));
+                warnings.push(format!(
+                    "{path}: {missing} vertices of '{name}' have no texture coordinates, others \
+                     have: they get 0 0"
+                ));
+            }
             let material = material.and_then(|number| names.get(number).cloned());
             (!mesh.indices.is_empty()).then_some(Piece { mesh, material })
         });
@@ -197,6 +247,7 @@ fn join(models: Vec<tobj::Model>) -> Result<(Surface, Runs, usize), TooManyVerti
         positions: Vec::with_capacity(vertices),
         normals: Vec::with_capacity(vertices),
         indices: Vec::with_capacity(corners),
+        coordinates: Vec::new(),
     };
     let mut runs = Runs::new();
     let mut dropped = 0;
@@ -209,6 +260,8 @@ fn join(models: Vec<tobj::Model>) -> Result<(Surface, Runs, usize), TooManyVerti
         surface
             .normals
             .extend(given.iter().map(|&normal| normals::unit(normal)));
+        let (coordinates, _) = mesh.texcoords.as_chunks::<2>();
+        surface.coordinates.extend_from_slice(coordinates);
         for &triangle in mesh.indices.as_chunks::<3>().0 {
             let corners = triangle.map(|vertex| positions[vertex as usize]);
             if normals::face_normal(corners) == glam::DVec3::ZERO {
@@ -232,6 +285,8 @@ fn cut(surface: Surface, runs: &Runs) -> Vec<Mesh> {
             positions: surface.positions,
             normals: surface.normals,
             indices: surface.indices,
+            coordinates: surface.coordinates,
+            ..Mesh::default()
         }];
     }
     numbers.fill(u32::MAX);
@@ -255,6 +310,10 @@ fn cut(surface: Surface, runs: &Runs) -> Vec<Mesh> {
         let at = |list: &[[f32; 3]]| taken.iter().map(|&v| list[v as usize]).collect();
         mesh.positions = at(&surface.positions);
         mesh.normals = at(&surface.normals);
+        if !surface.coordinates.is_empty() {
+            let list = &surface.coordinates;
+            mesh.coordinates = taken.iter().map(|&v| list[v as usize]).collect();
+        }
         // Set back what this mesh used, and no more: there may be many meshes.
         for &vertex in &taken {
             numbers[vertex as usize] = u32::MAX;
@@ -262,6 +321,21 @@ fn cut(surface: Surface, runs: &Runs) -> Vec<Mesh> {
         meshes.push(mesh);
     }
     meshes
+}
+
+/// Takes the marks of "none" out of a mesh's coordinates; the number of those that became 0. A mesh
+/// where all have none has none.
+fn settle(coordinates: &mut Vec<[f32; 2]>) -> Option<usize> {
+    let is_none = |pair: &[f32; 2]| pair[0].is_nan();
+    let missing = coordinates.iter().filter(|pair| is_none(pair)).count();
+    if missing == coordinates.len() {
+        *coordinates = Vec::new();
+        return None;
+    }
+    for pair in coordinates.iter_mut().filter(|pair| is_none(pair)) {
+        *pair = [0.0; 2];
+    }
+    (missing > 0).then_some(missing)
 }
 
 /// True where every vertex belongs to a triangle; marks them in `numbers`.

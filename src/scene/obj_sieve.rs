@@ -6,7 +6,8 @@
 //! ends. So it is fed a stream of canonical lines only: `v x y z`, `vn x y z`, `f v//n v//n v//n`
 //! with absolute indices that are in range, `o`, `usemtl`, `mtllib`. An object that grows large is
 //! handed on in pieces (`PIECE`), which keeps tobj's own tables small. Normal 1 is zero and stands
-//! for "none".
+//! for "none". Where pictures need them, texture coordinates pass too: `vt u v`, `f v/t/n`, with NaN
+//! as the first, which stands for "none".
 
 use std::cell::RefCell;
 use std::collections::HashSet;
@@ -34,6 +35,9 @@ const LONGEST_LINE: usize = 32 << 20;
 const BLOCK: usize = 1 << 16;
 /// The most vertices, and one more than the most normals: a u32 numbers them, and one means "none".
 const MOST_VERTICES: usize = u32::MAX as usize;
+
+/// Texture coordinate 1.
+const NO_COORDINATES: &[u8] = b"vt nan nan\n";
 
 /// The MTL files that the OBJ names, in the order in which tobj will ask for them.
 pub(super) type Libraries = Rc<RefCell<Vec<mtl::Library>>>;
@@ -66,6 +70,11 @@ pub(super) struct Sieve<R> {
     ended: bool,
     positions: usize,
     normals: usize,
+    coordinates: usize,
+    /// Whether texture coordinates are passed on.
+    keep: bool,
+    /// True where a library with pictures came after what should have been passed on.
+    pub(super) late: bool,
     faces: usize,
     faces_in_piece: usize,
     pieces: usize,
@@ -82,19 +91,33 @@ pub(super) struct Sieve<R> {
 
 impl<R: BufRead> Sieve<R> {
     /// Guards `source`, which holds the text of the file `path` and names MTL files in `folder`.
-    pub(super) fn new(source: R, path: &Path, folder: &Path, libraries: Libraries) -> Self {
+    /// `keep` passes texture coordinates on, as does an MTL file with pictures.
+    pub(super) fn new(
+        source: R,
+        path: &Path,
+        folder: &Path,
+        libraries: Libraries,
+        keep: bool,
+    ) -> Self {
+        // The normal and the coordinates that mean "none".
+        let mut ready = b"vn 0 0 0\n".to_vec();
+        if keep {
+            ready.extend_from_slice(NO_COORDINATES);
+        }
         Self {
             source,
             path: path.to_path_buf(),
             folder: folder.to_path_buf(),
             line: 0,
             raw: Vec::new(),
-            // The normal that means "none".
-            ready: b"vn 0 0 0\n".to_vec(),
+            ready,
             taken: 0,
             ended: false,
             positions: 0,
             normals: 0,
+            coordinates: 0,
+            keep,
+            late: false,
             faces: 0,
             faces_in_piece: 0,
             pieces: 0,
@@ -173,6 +196,7 @@ impl<R: BufRead> Sieve<R> {
         match keyword {
             b"v" => self.position(rest),
             b"vn" => self.normal(rest),
+            b"vt" => self.coordinate(rest),
             b"f" => self.face(rest),
             b"o" | b"g" => {
                 self.object = text(rest);
@@ -184,7 +208,7 @@ impl<R: BufRead> Sieve<R> {
             _ if line.contains(&0) => {
                 Err(self.refuse("holds a zero byte: this is not an OBJ file"))
             }
-            // Comments, texture coordinates, lines, points, curves, smoothing groups.
+            // Comments, lines, points, curves, smoothing groups.
             _ => Ok(()),
         }
     }
@@ -238,6 +262,36 @@ impl<R: BufRead> Sieve<R> {
         Ok(())
     }
 
+    fn coordinate(&mut self, rest: &[u8]) -> Result<(), Error> {
+        // A third is the depth in a solid texture.
+        let values: Vec<&[u8]> = words(rest).take(2).collect();
+        let Some(u) = values.first() else {
+            return Err(self.refuse("a texture coordinate needs two numbers"));
+        };
+        for word in &values {
+            let value = self.number(word, "a texture coordinate")?;
+            if value.abs() > FARTHEST as f32 {
+                let word = shown(word);
+                let message = format!("the texture coordinate {word} is above {FARTHEST:e}");
+                return Err(self.refuse(message));
+            }
+        }
+        self.coordinates += 1;
+        if self.coordinates >= MOST_VERTICES {
+            let message = "has more than 4294967294 texture coordinates: split the file";
+            return Err(self.refuse(message));
+        }
+        if self.keep {
+            self.ready.extend_from_slice(b"vt ");
+            self.ready.extend_from_slice(u);
+            self.ready.push(b' ');
+            self.ready
+                .extend_from_slice(values.get(1).copied().unwrap_or(b"0"));
+            self.ready.push(b'\n');
+        }
+        Ok(())
+    }
+
     /// Three numbers as the file writes them, unless a weight changed them.
     fn put_vector(&mut self, keyword: &[u8], words: &[&[u8]], weight: f32, xyz: [f32; 3]) {
         self.ready.extend_from_slice(keyword);
@@ -271,10 +325,14 @@ impl<R: BufRead> Sieve<R> {
         self.ready.push(b'f');
         let mut corners = 0;
         for corner in words(rest) {
-            let (vertex, normal) = self.corner(corner)?;
+            let [vertex, coordinate, normal] = self.corner(corner)?;
             self.ready.push(b' ');
             put_index(&mut self.ready, vertex);
-            self.ready.extend_from_slice(b"//");
+            self.ready.push(b'/');
+            if self.keep {
+                put_index(&mut self.ready, coordinate);
+            }
+            self.ready.push(b'/');
             put_index(&mut self.ready, normal);
             corners += 1;
         }
@@ -299,19 +357,24 @@ impl<R: BufRead> Sieve<R> {
     }
 
     /// A face's corner `v`, `v/vt`, `v//vn` or `v/vt/vn` as absolute numbers: the vertex from 1,
-    /// and the normal from 2, where 1 means none.
-    fn corner(&self, corner: &[u8]) -> Result<(usize, usize), Error> {
+    /// and coordinates and normal from 2, where 1 means none.
+    fn corner(&self, corner: &[u8]) -> Result<[usize; 3], Error> {
         let mut parts = corner.split(|&byte| byte == b'/');
         let vertex = parts.next().unwrap_or_default();
         let vertex = self.index(vertex, corner, self.positions, "vertex", "vertices")?;
-        // Texture coordinates are not used yet.
-        let _texture = parts.next();
+        let coordinate = match parts.next() {
+            None | Some(b"") => 1,
+            Some(word) => {
+                let (count, one) = (self.coordinates, "texture coordinate");
+                1 + self.index(word, corner, count, one, "texture coordinates")?
+            }
+        };
         let normal = match parts.next() {
             None | Some(b"") => 1,
             Some(normal) => 1 + self.index(normal, corner, self.normals, "normal", "normals")?,
         };
         match parts.next() {
-            None => Ok((vertex, normal)),
+            None => Ok([vertex, coordinate, normal]),
             Some(_) => Err(self.refuse(format!("'{}' is not a face's corner", shown(corner)))),
         }
     }
@@ -439,6 +502,14 @@ impl<R: BufRead> Sieve<R> {
         let file = paths::open(&found.path).map_err(|fault| refuse(self, fault.into_message()))?;
         let library = mtl::load(&found.path, file, mtl::LARGEST - self.named.bytes)?;
         self.named.bytes += library.bytes;
+        if !self.keep && library.maps.iter().any(|maps| !maps.is_empty()) {
+            if self.coordinates == 0 && self.faces == 0 {
+                self.keep = true;
+                self.ready.extend_from_slice(NO_COORDINATES);
+            } else {
+                self.late = true;
+            }
+        }
         self.libraries.borrow_mut().push(library);
         self.ready.extend_from_slice(b"mtllib next\n");
         Ok(())

@@ -3,10 +3,12 @@
 mod beckmann;
 mod constants;
 mod cook_torrance;
+mod coordinates;
 mod coupled;
 mod crease_normals;
 mod hemisphere;
 mod layout;
+mod maps;
 mod material_library;
 mod mtl;
 mod mutation;
@@ -26,6 +28,7 @@ mod shader_build;
 mod shader_builder;
 mod shapes;
 mod statistics;
+mod textures;
 mod tidy;
 #[path = "../tolerances.rs"]
 mod tolerances;

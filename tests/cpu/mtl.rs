@@ -86,9 +86,9 @@ fn one_number_is_grey_and_absent_ones_have_defaults() {
 #[test]
 fn what_is_not_used_is_said_once() {
     let (_, warnings) = material(
-        "Kd 1 1 1\nmap_Kd wood.png\nmap_Kd wood.png\nmap_Bump\nnorm n.png\nPs 1\nPc 1\nPcr 0\naniso 0\n",
+        "Kd 1 1 1\nmap_Ks wood.png\nmap_Ks wood.png\nmap_Ns\ndisp n.png\nPs 1\nPc 1\nPcr 0\naniso 0\n",
     );
-    for key in ["map_Kd", "map_Bump", "norm", "Ps", "Pc", "Pcr", "aniso"] {
+    for key in ["map_Ks", "map_Ns", "disp", "Ps", "Pc", "Pcr", "aniso"] {
         let said = warnings
             .iter()
             .filter(|w| w.contains(&format!(": {key} is not used yet")));
@@ -97,7 +97,7 @@ fn what_is_not_used_is_said_once() {
     assert!(
         warnings
             .iter()
-            .any(|w| w.contains("model.mtl:3: map_Kd") && w.contains("2 times"))
+            .any(|w| w.contains("model.mtl:3: map_Ks") && w.contains("2 times"))
     );
 }
 

@@ -15,10 +15,11 @@ pub fn cases(cases: u32) -> ProptestConfig {
 
 /// The bytes of `good` after up to seven edits: a byte replaced, one of `marks` inserted, a byte
 /// removed, the text cut short, or its halves exchanged.
-pub fn mutated(good: &'static str, marks: &'static [u8]) -> impl Strategy<Value = Vec<u8>> {
+pub fn mutated(good: impl Into<Vec<u8>>, marks: &'static [u8]) -> impl Strategy<Value = Vec<u8>> {
+    let good: Vec<u8> = good.into();
     let edit = (0..good.len(), any::<u8>(), 0..9_u8);
     prop::collection::vec(edit, 1..8).prop_map(move |edits| {
-        let mut bytes = good.as_bytes().to_vec();
+        let mut bytes = good.clone();
         for (at, byte, kind) in edits {
             if bytes.is_empty() {
                 break;

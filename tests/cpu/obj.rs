@@ -73,8 +73,25 @@ const FAULTS: &[(&str, &str)] = &[
     ),
     ("f 1 2 x\n", "model.obj:4: 'x' is not a face's corner"),
     (
-        "f 1 2 3/1/1/1\n",
-        "model.obj:4: a face names normal 1, out of range",
+        "vt 0 0\nf 1 2 3/1/1/1\n",
+        "model.obj:5: a face names normal 1, out of range",
+    ),
+    (
+        "f 1/1 2/1 3/1\n",
+        "model.obj:4: a face names texture coordinate 1, out of range: 0 texture coordinates stand before this line",
+    ),
+    (
+        "vt 0 nan\n",
+        "model.obj:4: a texture coordinate is nan: NaN and infinity have no place",
+    ),
+    ("vt inf\n", "model.obj:4: a texture coordinate is inf"),
+    (
+        "vt\n",
+        "model.obj:4: a texture coordinate needs two numbers",
+    ),
+    (
+        "vt 0 1e13\n",
+        "model.obj:4: the texture coordinate 1e13 is above 1e12",
     ),
     (
         "f 1 2 18446744073709551616\n",

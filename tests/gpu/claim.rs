@@ -17,6 +17,7 @@ fn scene(count: usize) -> Scene {
         positions: vec![[0.0, 0.0, 0.0], [0.8, 0.0, 0.0], [0.0, 0.8, 0.0]],
         normals: vec![[0.0, 0.0, 1.0]; 3],
         indices: vec![0, 1, 2],
+        ..Mesh::default()
     };
     let material = |i: usize| Material {
         name: format!("material {i}"),
@@ -38,6 +39,7 @@ fn scene(count: usize) -> Scene {
             [0.0; 3]
         },
         shininess: i as f32 % 100.0,
+        ..Material::default()
     };
     let object = |i: usize| Object {
         name: format!("object {i}"),
@@ -68,6 +70,7 @@ fn scene(count: usize) -> Scene {
         materials: (0..count).map(material).collect(),
         meshes: vec![triangle],
         objects: (0..count).map(object).collect(),
+        textures: Vec::new(),
         warnings: Vec::new(),
     }
 }

@@ -40,9 +40,8 @@ pub fn material(albedo: [f32; 3], f0: [f32; 3], roughness: f32) -> Material {
         albedo,
         f0,
         roughness,
-        opacity: 1.0,
-        emission: [0.0; 3],
         shininess: umber::scene::shininess_from_roughness(f64::from(roughness)) as f32,
+        ..Material::default()
     }
 }
 
@@ -51,6 +50,7 @@ pub fn towards(direction: Vec3, color: [f32; 3]) -> Light {
     Light {
         name: "case".into(),
         color,
+        shadow: false,
         kind: LightKind::Directional {
             direction: -direction,
             illuminance: 1.0,
@@ -117,6 +117,7 @@ impl Patches {
             positions: corners.map(|corner| corner.to_array()).to_vec(),
             normals: vec![patch.normal.to_array(); 4],
             indices: vec![0, 1, 2, 0, 2, 3],
+            ..Mesh::default()
         };
         let object = |i| Object {
             name: format!("patch {i}"),
@@ -131,6 +132,7 @@ impl Patches {
             materials: self.patches.iter().map(|p| p.material.clone()).collect(),
             meshes: self.patches.iter().map(mesh).collect(),
             objects: (0..self.patches.len()).map(object).collect(),
+            textures: Vec::new(),
             warnings: Vec::new(),
         }
     }

@@ -117,6 +117,7 @@ fn point_and_spot_lights_by_distance_and_cone() {
     let light = |kind| Light {
         name: "case".into(),
         color: [1.0, 0.7, 0.4],
+        shadow: false,
         kind,
     };
     let patches = Patches {
@@ -254,6 +255,7 @@ fn no_input_makes_a_corrected_pixel_that_is_no_number() {
             patches.lights.push(Light {
                 name: "on the surface".into(),
                 color: [1.0; 3],
+                shadow: false,
                 kind: LightKind::Point {
                     position,
                     intensity: 1e12,
@@ -292,6 +294,7 @@ fn inside_a_lamp_light_stops_growing() {
     let lamp = Light {
         name: "larger than its distance".into(),
         color: [1.0; 3],
+        shadow: false,
         kind: LightKind::Point {
             position: Vec3::new(0.5, 0.5, 6.0),
             intensity: 900.0,

@@ -37,6 +37,7 @@ fn scene(transform: Affine3A, roughness: f32) -> Scene {
             material: 0,
             transform,
         }],
+        textures: Vec::new(),
         warnings: Vec::new(),
     }
 }

@@ -38,6 +38,7 @@ fn part(name: &'static str, surface: Surface) -> Part {
         positions: surface.positions.iter().map(|p| p.to_array()).collect(),
         normals: surface.normals.iter().map(|n| n.to_array()).collect(),
         indices: surface.indices,
+        ..Mesh::default()
     };
     Part { name, mesh }
 }
