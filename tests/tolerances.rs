@@ -151,3 +151,37 @@ pub const BLENDED_PIXEL: Relative = Relative {
 /// The share of 8-bit codes that may differ by more than one step from a golden picture: a triangle's
 /// edge may fall on the other side of a pixel's middle on another driver or version.
 pub const GOLDEN_SHARE: f64 = 0.01;
+
+/// Two builds of one source, in the measure of `Picture::max_difference`: DESIGN's 1e-5 relative and 1e-6 absolute.
+pub const SAME_PICTURE: f64 = 1.0e-5;
+
+/// A pixel under a map of one value against the same numbers without a map: the value is stored in 8 bits (of 0.02, the
+/// darkest here, sRGB's step is 4 %, half of it off at most; of a plain number 0.2 to 0.8 half a step is 0.002 / 0.2 = 1 %),
+/// in 9 bits with a shared exponent, or as half floats; the lobe's peak is four times as steep as the roughness.
+pub const MAPPED_PIXEL: Relative = Relative {
+    relative: 0.02,
+    absolute: 1.0e-3,
+};
+
+/// A texel of a PNG against its function, in 8-bit codes: a sine of another library may tip a rounding.
+pub const PNG_CODES: f64 = 1.0;
+/// The same in the mean over all codes: it tips few.
+pub const PNG_MEAN: f64 = 0.01;
+
+/// A texel of a JPEG of quality 90 against its function, in 8-bit codes: its tables hold steps of 2 to
+/// 24, and at an edge the halves of some of them add up (31 at the tiles' sharpest).
+pub const SAMPLE_JPEG_CODES: f64 = 40.0;
+/// The same in the mean over all codes (3.03 of the tiles).
+pub const JPEG_MEAN: f64 = 3.5;
+
+/// A texel of a Radiance file against its function, relative to the largest of its three numbers:
+/// that one's mantissa is 128 to 255 and cut, not rounded.
+pub const RGBE_STEP: f64 = 1.0 / 128.0;
+
+/// How far from 1 the length of a unit vector of 8-bit codes may be: each of three numbers is half a
+/// code off, 1/255, and they add up to sqrt(3) of it at most.
+pub const UNIT_OF_CODES: f64 = 0.007;
+
+/// The step across a texture's seam against the largest inside: all lattices of its noise have a line
+/// there, where they change fastest. Without a match the step would be several times as large.
+pub const SEAM: f64 = 1.1;

@@ -18,6 +18,7 @@ mod oren_nayar;
 mod phong;
 mod punctual;
 mod quadrature;
+mod sample_textures;
 mod samples;
 mod scene_file;
 mod scene_override;
