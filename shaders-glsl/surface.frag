@@ -1,93 +1,163 @@
 #version 460
 // What light leaves a surface point towards the eye? One shader for every material and every lamp.
+//
+// An effect is a file in `effects/`: hooks that do nothing where nobody calls for it.
 
 #include "interface/variants.glsl"
 #include "interface/frame.glsl"
 #include "interface/materials.glsl"
 #include "interface/lights.glsl"
 #include "math/direction.glsl"
-#include "light/punctual.glsl"
+#include "maps/derivatives.glsl"
+#include "shading/surface.glsl"
+#include "light/incident.glsl"
 #include "light/hemisphere.glsl"
 #include "slides/phong.glsl"
 #include "slides/oren_nayar.glsl"
 #include "slides/cook_torrance.glsl"
-#include "brdf/coupled.glsl"
+#include "effects/alpha_mask.glsl"
+#include "effects/base_color_map.glsl"
+#include "effects/colored_f0.glsl"
+#include "effects/diffuse_lobe.glsl"
+#include "effects/emission.glsl"
+#include "effects/emission_map.glsl"
+#include "effects/metalness_map.glsl"
+#include "effects/normal_map.glsl"
+#include "effects/occlusion_map.glsl"
+#include "effects/point_light.glsl"
+#include "effects/rough_diffuse.glsl"
+#include "effects/roughness_map.glsl"
+#include "effects/shadow.glsl"
+#include "effects/specular_lobe.glsl"
+#include "effects/spot_light.glsl"
+#include "effects/transparency.glsl"
+#include "effects/two_sided.glsl"
 
 layout(location = 0) in vec3 in_position; // world space, m
 layout(location = 1) in vec3 in_normal;   // world space, any length
 layout(location = 2) flat in uint in_material;
 layout(location = 3) flat in float in_handedness;
+layout(location = 4) in vec2 in_coordinates; // u right, v up
+layout(location = 5) in vec4 in_tangent;     // world space, any length; w: handedness of the map
 
 layout(location = 0) out vec4 out_colour; // radiance, cd/m^2, premultiplied by alpha
 
-// A face seen from behind turns its normal. A mirroring map turns the winding too, so it decides with
-// handedness which side is the front. A normal without direction faces the eye.
-vec3 facing_normal(vec3 normal, vec3 E, float handedness, bool front_facing) {
-    float side = front_facing ? handedness : -handedness;
-    return side * direction_or(normal, side * E);
+// The point as its material has it, before any effect: a front face, Lambert's base, no interface, a grey f0.
+Surface plain_surface(Material material, vec3 position, vec3 normal) {
+    vec3 E = direction_or(frame.eye.xyz - frame.eye.w * position, vec3(0.0, 1.0, 0.0));
+    Surface surface;
+    surface.effects = material.effects;
+    surface.position = position;
+    surface.facet = vec3(0.0);
+    surface.facet_turn = 0.0;
+    surface.facet_drift = 0.0;
+    surface.N = direction_or(normal, E);
+    surface.E = E;
+    surface.albedo = material.albedo;
+    surface.f0 = vec3(max(max(material.f0.r, material.f0.g), material.f0.b));
+    surface.roughness = clamp(material.roughness, 0.0, 1.0);
+    surface.emission = material.emission;
+    surface.side = 1.0;
+    surface.NoE = 0.0;
+    surface.f90 = 0.0;
+    surface.F = vec3(0.0);
+    surface.weights = OrenNayarWeights(1.0, 0.0);
+    return surface;
 }
 
 // The classic has one ambient colour per material: albedo + f0, so that metals are not black.
-Lobes classic_ambient(Material material, vec3 N) {
-    return Lobes((material.albedo + material.f0) * hemisphere_diffuse(frame.sky, frame.ground, N), vec3(0.0));
+Lobes classic_ambient(Surface surface) {
+    vec3 colour = surface.albedo + surface.f0;
+    return Lobes(colour * hemisphere_diffuse(frame.sky, frame.ground, surface.N), vec3(0.0));
 }
 
-Lobes phong_light(Material material, vec3 N, vec3 E, Incident incident) {
+Lobes phong_light(Surface surface, float shininess, Incident incident) {
     vec3 radiance = incident.illuminance * INV_PI;
     return Lobes(
-        radiance * material.albedo * PhongDiffuse(N, incident.L),
-        radiance * material.f0 * PhongSpecular(N, incident.L, E, material.shininess)
+        radiance * surface.albedo * PhongDiffuse(surface.N, incident.L),
+        radiance * surface.f0 * PhongSpecular(surface.N, incident.L, surface.E, shininess)
     );
 }
 
 // The deck scales one Fresnel number; a material has three. The largest channel of f0 is FresnelScale, and f0
 // divided by it the colour of the reflection, so that at normal incidence their product is f0.
 // The deck leaves the light's factor open: illuminance / pi stands before both listings, and no further cosine.
-Lobes slides_light(Material material, vec3 N, vec3 E, Incident incident) {
+Lobes slides_light(Surface surface, Incident incident) {
     vec3 radiance = incident.illuminance * INV_PI;
-    float FresnelScale = max(max(material.f0.r, material.f0.g), material.f0.b);
-    vec3 specular = FresnelScale > 0.0 ? material.f0 / FresnelScale : vec3(1.0);
-    float Roughness = material.roughness;
+    float FresnelScale = max(max(surface.f0.r, surface.f0.g), surface.f0.b);
+    vec3 specular = FresnelScale >= LENGTH_MIN ? surface.f0 / FresnelScale : vec3(1.0);
+    float Roughness = surface.roughness;
     return Lobes(
-        radiance * material.albedo * SlidesOrenNayar(N, incident.L, E, Roughness),
-        radiance * specular * SlidesCookTorrance(N, incident.L, E, Roughness, FresnelScale)
+        radiance * surface.albedo * SlidesOrenNayar(surface.N, incident.L, surface.E, Roughness),
+        radiance * specular * SlidesCookTorrance(surface.N, incident.L, surface.E, Roughness, FresnelScale)
     );
 }
 
-Lobes corrected_light(CoupledSurface surface, Incident incident) {
-    Lobes lobes = coupled(surface, incident.L, incident.r2);
-    return Lobes(incident.illuminance * lobes.diffuse, incident.illuminance * lobes.specular);
+Lobes corrected_light(Surface surface, Incident incident) {
+    Lobes lobes = Lobes(vec3(0.0), vec3(0.0));
+    diffuse_lobe(lobes, surface, incident);
+    specular_lobe(lobes, surface, incident);
+    lobes.diffuse *= incident.illuminance;
+    lobes.specular *= incident.illuminance;
+    return lobes;
+}
+
+Lobes ambient(Surface surface) {
+    if (LIGHTING != LIGHTING_CORRECTED) {
+        return classic_ambient(surface);
+    }
+    Lobes lobes = Lobes(vec3(0.0), vec3(0.0));
+    diffuse_ambient(lobes, surface, frame.sky, frame.ground);
+    specular_ambient(lobes, surface, frame.sky, frame.ground);
+    return lobes;
+}
+
+// What lamp number i sends to the eye.
+Lobes lamp(uint i, Surface surface, float shininess) {
+    Light light = lights[i];
+    Incident incident = parallel_light(light);
+    point_light(incident, light, surface.position);
+    spot_light(incident, light);
+    if (!incident.arrives) {
+        return Lobes(vec3(0.0), vec3(0.0));
+    }
+    shadow(incident, light, surface);
+    if (LIGHTING == LIGHTING_PHONG) {
+        return phong_light(surface, shininess, incident);
+    }
+    if (LIGHTING == LIGHTING_SLIDES) {
+        return slides_light(surface, incident);
+    }
+    return corrected_light(surface, incident);
 }
 
 void main() {
     Material material = materials[in_material];
-    vec3 E = direction_or(frame.eye.xyz - frame.eye.w * in_position, vec3(0.0, 1.0, 0.0));
-    vec3 N = facing_normal(in_normal, E, in_handedness, gl_FrontFacing);
-    CoupledSurface surface = coupled_surface(N, E, material.albedo, material.f0, material.roughness);
+    MapPlace place = map_place(in_coordinates, material.map_repeat);
+    vec3 right = dFdx(in_position);
+    vec3 down = dFdy(in_position);
+
+    alpha_mask(material, place);
+    Surface surface = plain_surface(material, in_position, in_normal);
+    shadow_facet(surface, right, down);
+    two_sided(surface, in_normal, in_handedness, gl_FrontFacing);
+    base_color_map(surface, material, place);
+    colored_f0(surface, material);
+    roughness_map(surface, material, place);
+    metalness_map(surface, material, place);
+    emission_map(surface, material, place);
+    normal_map(surface, material, place, in_normal, in_tangent);
+    surface.NoE = dot(surface.N, surface.E);
+    specular_interface(surface);
+    rough_diffuse_weights(surface);
 
     Lobes sum = Lobes(vec3(0.0), vec3(0.0));
     if (TERM_AMBIENT != 0) {
-        if (LIGHTING == LIGHTING_CORRECTED) {
-            sum = coupled_ambient(surface, frame.sky, frame.ground);
-        } else {
-            sum = classic_ambient(material, N);
-        }
+        sum = ambient(surface);
+        occlusion_map(sum, surface, material, place);
     }
     for (uint i = 0u; i < frame.light_count; i++) {
-        Light light = lights[i];
-        Incident incident;
-        if (!incident_from(light.position, light.intensity, light.radius, light.axis, light.cone_scale,
-                light.cone_offset, in_position, incident)) {
-            continue;
-        }
-        Lobes lobes;
-        if (LIGHTING == LIGHTING_PHONG) {
-            lobes = phong_light(material, N, E, incident);
-        } else if (LIGHTING == LIGHTING_SLIDES) {
-            lobes = slides_light(material, N, E, incident);
-        } else {
-            lobes = corrected_light(surface, incident);
-        }
+        Lobes lobes = lamp(i, surface, material.shininess);
         if (TERM_DIFFUSE != 0) {
             sum.diffuse += lobes.diffuse;
         }
@@ -96,11 +166,9 @@ void main() {
         }
     }
 
-    // A corrected interface hides what it reflects away, so it covers even where the base is clear.
-    float alpha = material.opacity;
-    if (LIGHTING == LIGHTING_CORRECTED) {
-        float F = max(max(surface.F.r, surface.F.g), surface.F.b);
-        alpha = 1.0 - (1.0 - alpha) * (1.0 - F);
-    }
-    out_colour = vec4(material.opacity * sum.diffuse + sum.specular + material.emission, alpha);
+    float alpha = 1.0;
+    transparency(sum, alpha, surface, material);
+    vec3 radiance = sum.diffuse + sum.specular;
+    emission(radiance, surface);
+    out_colour = vec4(radiance, alpha);
 }

@@ -25,8 +25,8 @@ pub struct Frame {
     pub light_count: u32,
     /// Radiance of the lower hemisphere.
     pub ground: [f32; 3],
-    /// Unused.
-    pub frame_padding: f32,
+    /// Objects in use.
+    pub object_count: u32,
 }
 agree!(Frame {
     view_projection,
@@ -34,7 +34,7 @@ agree!(Frame {
     sky,
     light_count,
     ground,
-    frame_padding
+    object_count
 });
 
 /// One drawn object; see `shaders-glsl/interface/instances.glsl`.
@@ -85,6 +85,36 @@ pub struct Material {
     pub emission: [f32; 3],
     /// Phong's exponent.
     pub shininess: f32,
+    /// Bits of the effects that it calls for.
+    pub effects: u32,
+    /// Factor of the metalness map.
+    pub metalness: f32,
+    /// Factor of the normal map's x and y.
+    pub normal_scale: f32,
+    /// Below it the alpha mask leaves no surface.
+    pub alpha_cutoff: f32,
+    /// Repeats of the maps per unit of the coordinates.
+    pub map_repeat: [f32; 2],
+    /// Handle of a map, as the next six are.
+    pub base_color_map: u32,
+    /// Light given off.
+    pub emission_map: u32,
+    /// Relief.
+    pub normal_map: u32,
+    /// Roughness.
+    pub roughness_map: u32,
+    /// Where it is metal.
+    pub metalness_map: u32,
+    /// How much of its surroundings it sees.
+    pub occlusion_map: u32,
+    /// Where there is no surface.
+    pub alpha_mask: u32,
+    /// Unused.
+    pub material_padding_0: u32,
+    /// Unused.
+    pub material_padding_1: u32,
+    /// Unused.
+    pub material_padding_2: u32,
 }
 agree!(Material {
     albedo,
@@ -92,7 +122,22 @@ agree!(Material {
     f0,
     roughness,
     emission,
-    shininess
+    shininess,
+    effects,
+    metalness,
+    normal_scale,
+    alpha_cutoff,
+    map_repeat,
+    base_color_map,
+    emission_map,
+    normal_map,
+    roughness_map,
+    metalness_map,
+    occlusion_map,
+    alpha_mask,
+    material_padding_0,
+    material_padding_1,
+    material_padding_2
 });
 
 /// One light; see `shaders-glsl/interface/lights.glsl`.
@@ -111,12 +156,12 @@ pub struct Light {
     pub cone_scale: f32,
     /// Offset of a spot's falloff.
     pub cone_offset: f32,
-    /// Unused.
-    pub light_padding_0: f32,
-    /// Unused.
-    pub light_padding_1: f32,
-    /// Unused.
-    pub light_padding_2: f32,
+    /// Bits of the effects that it calls for.
+    pub effects: u32,
+    /// Its first shadow map.
+    pub shadow_first: u32,
+    /// Its shadow maps.
+    pub shadow_count: u32,
 }
 agree!(Light {
     position,
@@ -125,7 +170,18 @@ agree!(Light {
     axis,
     cone_scale,
     cone_offset,
-    light_padding_0,
-    light_padding_1,
-    light_padding_2
+    effects,
+    shadow_first,
+    shadow_count
 });
+
+/// One depth map of a lamp; see `shaders-glsl/interface/shadow_maps.glsl`.
+#[derive(Clone, Copy, Pod, Zeroable, Debug)]
+#[repr(C)]
+pub struct ShadowMap {
+    /// World to clip space, column by column; reversed depth.
+    pub clip: [[f32; 4]; 4],
+    /// Its inverse, transposed.
+    pub planes: [[f32; 4]; 4],
+}
+agree!(ShadowMap { clip, planes });

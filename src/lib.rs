@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! 4  cli                    parse, call one function, print
-//! 3  report                 a result -> JSON
+//! 3  studies  report        ask a question, return a table; a table -> JSON
 //! 2  render   scene         scene -> frame; what a user can describe, and the loaders
 //! 1  gpu                    Vulkan, safely: the only floor with ash and unsafe
 //! 0  math  reference        f64: quadrature, statistics; the lighting models as the papers state them
@@ -12,7 +12,7 @@
 //!
 //! Absent on purpose, and held by a test (`tests/cpu/tidy.rs`): `unsafe` above `gpu`; any word of
 //! `interface` in `reference`, so that the truth cannot inherit a shader's mistake; a pipeline or a
-//! descriptor set for one material.
+//! descriptor set for one material (but in the build `material`, which is there to be measured against).
 //!
 //! Units: metres, +y up, right-handed; linear sRGB; photometric (lx, cd, cd/m^2).
 
@@ -24,3 +24,4 @@ pub mod reference;
 pub mod render;
 pub mod report;
 pub mod scene;
+pub mod studies;

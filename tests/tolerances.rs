@@ -185,3 +185,11 @@ pub const UNIT_OF_CODES: f64 = 0.007;
 /// The step across a texture's seam against the largest inside: all lattices of its noise have a line
 /// there, where they change fastest. Without a match the step would be several times as large.
 pub const SEAM: f64 = 1.1;
+
+/// The light that the inside of a bowl keeps under a lamp that sees all of it, on maps down to 256 texels a side: at its rim, where
+/// the wall stands along the rays, a texel spans more of it than two planes tell (measured: 0.991).
+pub const HOLLOW_LIGHT: f64 = 0.99;
+
+/// Pixels of a lit corner that may be dark, of 20,736: where it ends, the texels farther out see past it, and do not tell the
+/// wall's plane (measured: 1, in one of 68 cases).
+pub const CORNER_PIXELS: usize = 2;

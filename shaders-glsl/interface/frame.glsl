@@ -6,7 +6,7 @@ struct Frame {
     vec3 sky;             // radiance of the upper hemisphere (+y), cd/m^2
     uint light_count;     // entries in use of `lights`
     vec3 ground;          // radiance of the lower hemisphere, cd/m^2
-    float frame_padding;
+    uint object_count;    // entries in use of `instances`
 };
 
 layout(set = 0, binding = 0, std140) uniform FrameBlock {

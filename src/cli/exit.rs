@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use crate::gpu;
 use crate::render::RenderError;
 use crate::scene;
+use crate::studies::FirstDrawError;
 
 /// The exit codes. 0 is success.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -67,6 +68,16 @@ impl From<RenderError> for Failure {
             // The file holds more than can be drawn.
             RenderError::Scene(_) | RenderError::TooMany(_) => Self::new(Exit::File, error),
         }
+    }
+}
+
+impl From<FirstDrawError> for Failure {
+    fn from(error: FirstDrawError) -> Self {
+        let exit = match error {
+            FirstDrawError::Io(_) => Exit::File,
+            FirstDrawError::Failed(_) => Exit::Device,
+        };
+        Self::new(exit, error)
     }
 }
 

@@ -2,7 +2,9 @@
 
 mod devices;
 mod doctor;
+mod effects;
 mod exit;
+mod options;
 mod output;
 mod render;
 
@@ -11,7 +13,6 @@ use std::time::Instant;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::gpu::DeviceSelector;
 use exit::Exit;
 use output::{print_bytes, talk};
 
@@ -32,6 +33,8 @@ const EXIT_CODES: &str = "Exit codes: 0 ok; 2 usage; 3 no suitable device or dri
 enum Verb {
     /// Render a scene to a picture
     Render(render::Arguments),
+    /// Say which effects a scene calls for, and what each costs on this device
+    Effects(effects::Arguments),
     /// List the Vulkan devices
     Devices(devices::Arguments),
     /// Say what Vulkan finds on this system, what is missing, and the line that mends it
@@ -56,6 +59,7 @@ pub fn run() -> ExitCode {
     };
     let done = match cli.verb {
         Verb::Render(arguments) => render::run(&arguments, start),
+        Verb::Effects(arguments) => effects::run(&arguments),
         Verb::Devices(arguments) => devices::run(&arguments),
         Verb::Doctor => doctor::run(),
         Verb::Completions { shell } => {
@@ -70,12 +74,5 @@ pub fn run() -> ExitCode {
             talk(format_args!("umber: {}", failure.message));
             failure.into()
         }
-    }
-}
-
-fn device_selector(text: &str) -> Result<DeviceSelector, &'static str> {
-    match text {
-        "" => Err("it names no device"),
-        text => Ok(DeviceSelector::parse(text)),
     }
 }

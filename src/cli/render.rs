@@ -6,11 +6,14 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 
-use crate::cli::device_selector;
 use crate::cli::exit::{Exit, Failure};
+use crate::cli::options::{
+    DeviceArgument, LightingArgument, build, count, effects, samples, size, software,
+};
 use crate::cli::output::{JsonArgument, Output, talk, write_json};
-use crate::gpu::{self, Device, DeviceKind, DeviceSelector, Instance, Samples, Validation};
-use crate::reference::shade::{Lighting, Terms};
+use crate::gpu::{Device, DeviceKind, Samples};
+use crate::reference::shade::Terms;
+use crate::render::effects::{Build, Effects};
 use crate::render::{
     self, Defects, FrameReport, Picture, PictureFormat, Renderer, Settings, ToneMapping, Variant,
 };
@@ -32,12 +35,19 @@ pub struct Arguments {
     /// Samples a pixel: 1, 2, 4 or 8
     #[arg(long, default_value = "4", value_parser = samples)]
     samples: Samples,
-    /// INDEX, part of the NAME, UUID, cpu or gpu [default: discrete, integrated, virtual, cpu]
-    #[arg(long, value_parser = device_selector)]
-    device: Option<DeviceSelector>,
+    #[command(flatten)]
+    device: DeviceArgument,
     /// The lighting model
     #[arg(long, default_value = "corrected")]
     lighting: LightingArgument,
+    /// What the picture may contain: census (what the scene calls for), all (the same picture, compiled for any
+    /// scene), none, or a list such as shadow,spot-light of what is left of it
+    #[arg(long, value_name = "LIST", default_value = "census", value_parser = effects)]
+    effects: Effects,
+    /// How the effects are compiled: one pipeline for any scene, one for this scene, or one for each kind of
+    /// material
+    #[arg(long, value_parser = build, conflicts_with = "effects", value_name = "dynamic|scene|material")]
+    build: Option<Build>,
     /// The terms that count; emission always does
     #[arg(
         long,
@@ -56,22 +66,9 @@ pub struct Arguments {
     exposure: Option<f32>,
     #[command(flatten)]
     json: JsonArgument,
-    /// Run under the validation layers; a message is a failure
-    #[arg(long)]
-    validation: bool,
     /// Say nothing but errors
     #[arg(short, long)]
     quiet: bool,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum LightingArgument {
-    /// Ambient, Lambert, Phong's highlight
-    Phong,
-    /// Oren-Nayar and Cook-Torrance as the slides' listings have them, to the letter
-    Slides,
-    /// The same models, rightly normalised and numerically safe, f0 per channel
-    Corrected,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -163,32 +160,26 @@ fn settings(arguments: &Arguments) -> Settings {
         height: arguments.size.1,
         samples: arguments.samples,
         variant: Variant {
-            lighting: match arguments.lighting {
-                LightingArgument::Phong => Lighting::Phong,
-                LightingArgument::Slides => Lighting::Slides,
-                LightingArgument::Corrected => Lighting::Corrected,
-            },
+            lighting: arguments.lighting.model(),
             terms: Terms {
                 ambient: has(TermArgument::Ambient),
                 diffuse: has(TermArgument::Diffuse),
                 specular: has(TermArgument::Specular),
             },
         },
+        effects: match arguments.build {
+            Some(build) => Effects {
+                build,
+                ..Effects::default()
+            },
+            None => arguments.effects,
+        },
     }
 }
 
+/// Before any work: a size that the device cannot have is a matter of the command line.
 fn open_device(arguments: &Arguments) -> Result<Arc<Device>, Failure> {
-    let validation = if arguments.validation {
-        Validation::On
-    } else {
-        Validation::Off
-    };
-    let instance = Instance::new(validation)?;
-    let devices = instance.devices()?;
-    let selector = arguments.device.clone().unwrap_or_default();
-    let chosen = gpu::choose(&devices, &selector)?;
-    let device = Device::open(&instance, chosen)?;
-    // Before any work: a size that the device cannot have is a matter of the command line.
+    let device = arguments.device.open()?;
     device.check_target_size(arguments.size.0, arguments.size.1)?;
     device.check_samples(arguments.samples)?;
     Ok(device)
@@ -304,12 +295,6 @@ fn say(arguments: &Arguments, lines: impl IntoIterator<Item = impl std::fmt::Dis
     }
 }
 
-/// `1 draw`, `2 draws`.
-fn count(number: u64, what: &str) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {what}{plural}")
-}
-
 fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
     let RenderReport {
         device,
@@ -318,10 +303,7 @@ fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
         frame,
         ..
     } = report;
-    let software = match kind {
-        DeviceKind::Cpu => " (a software rasteriser: times are a CPU's)",
-        _ => "",
-    };
+    let software = software(kind);
     let mut lines = vec![
         format!("device   {}{software}", device.name),
         format!(
@@ -332,6 +314,10 @@ fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
             count(scene.lights as u64, "light"),
         ),
     ];
+    lines.push(match &frame.effects[..] {
+        [] => "effects  none".to_owned(),
+        effects => format!("effects  {}", effects.join(", ")),
+    });
     lines.extend(frame.passes.iter().map(|pass| {
         format!(
             "pass     {}: {}, {}, {}",
@@ -359,28 +345,6 @@ fn times(frame: &FrameReport, start_to_file_ms: f64) -> String {
     )
 }
 
-fn size(text: &str) -> Result<(u32, u32), String> {
-    let number = |digits: &str| {
-        let all_digits = digits.bytes().all(|byte| byte.is_ascii_digit());
-        all_digits.then(|| digits.parse().ok())?
-    };
-    let parsed = text
-        .split_once(['x', 'X'])
-        .and_then(|(w, h)| Some((number(w)?, number(h)?)));
-    match parsed {
-        Some((0, _) | (_, 0)) => Err("a picture has at least one pixel each way".into()),
-        Some(size) => Ok(size),
-        None => Err("write it as WIDTHxHEIGHT, such as 1280x720".into()),
-    }
-}
-
-fn samples(text: &str) -> Result<Samples, String> {
-    text.parse()
-        .ok()
-        .and_then(Samples::from_count)
-        .ok_or_else(|| "it is 1, 2, 4 or 8".into())
-}
-
 fn exposure(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         // Beyond it 2^EV leaves the range of f32.
@@ -392,6 +356,7 @@ fn exposure(text: &str) -> Result<f32, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu;
 
     const CLEAN: Defects = Defects {
         nan: 0,
@@ -476,45 +441,7 @@ mod tests {
     }
 
     #[test]
-    fn a_size_is_two_numbers_of_digits() {
-        assert_eq!(size("1280x720"), Ok((1280, 720)));
-        assert_eq!(size("1X1"), Ok((1, 1)));
-        assert_eq!(size("4294967295x0007"), Ok((u32::MAX, 7)));
-        for text in ["0x1", "1x0", "0x0"] {
-            assert!(
-                size(text).is_err_and(|e| e.contains("at least one pixel")),
-                "{text}"
-            );
-        }
-        for text in [
-            "",
-            "x",
-            "8",
-            "8x",
-            "x8",
-            "+8x8",
-            "8x+8",
-            "-8x8",
-            " 8x8",
-            "8x8 ",
-            "8x8x8",
-            "8.0x8",
-            "4294967296x8",
-            "8\u{d7}8",
-            "0x8x8",
-        ] {
-            assert!(size(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn samples_and_exposure_have_their_ranges() {
-        for count in [1, 2, 4, 8] {
-            assert_eq!(samples(&count.to_string()).map(Samples::count), Ok(count));
-        }
-        for text in ["", "0", "3", "16", "-4", "four", "4.0"] {
-            assert!(samples(text).is_err(), "{text}");
-        }
+    fn exposure_has_its_range() {
         assert_eq!(exposure("-100"), Ok(-100.0));
         assert_eq!(exposure("1e1"), Ok(10.0));
         for text in ["", "nan", "inf", "-inf", "100.1", "ten"] {
@@ -532,12 +459,5 @@ mod tests {
         ] {
             assert_eq!(default_output(Path::new(scene)), Path::new(picture));
         }
-    }
-
-    #[test]
-    fn one_has_no_plural() {
-        assert_eq!(count(1, "draw"), "1 draw");
-        assert_eq!(count(0, "draw"), "0 draws");
-        assert_eq!(count(2, "draw"), "2 draws");
     }
 }

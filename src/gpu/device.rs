@@ -376,7 +376,8 @@ fn create(
         .full_draw_index_uint32(true);
     let mut core_13 = vk::PhysicalDeviceVulkan13Features::default()
         .dynamic_rendering(true)
-        .synchronization2(true);
+        .synchronization2(true)
+        .shader_demote_to_helper_invocation(true);
     let info = vk::DeviceCreateInfo::default()
         .queue_create_infos(&queues)
         .enabled_features(&core)

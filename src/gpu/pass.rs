@@ -27,6 +27,19 @@ pub struct PassCounts {
     pub pipeline_binds: u64,
     /// Descriptor set binds.
     pub descriptor_set_binds: u64,
+    /// Changes of the faces that are culled.
+    pub cull_changes: u64,
+}
+
+/// Which faces the rasteriser drops.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Cull {
+    /// None.
+    None,
+    /// Those whose corners run counter-clockwise, seen from the eye.
+    Front,
+    /// Those whose corners run clockwise.
+    Back,
 }
 
 /// What a pass has bound; a draw without all of it would be undefined.
@@ -48,6 +61,7 @@ pub struct Pass<'r, 'a> {
     rendering: Rendering<'a>,
     counts: PassCounts,
     bound: Bound,
+    cull: Cull,
 }
 
 impl<'r, 'a> Pass<'r, 'a> {
@@ -65,8 +79,10 @@ impl<'r, 'a> Pass<'r, 'a> {
                 draws: 0,
                 pipeline_binds: 0,
                 descriptor_set_binds: 0,
+                cull_changes: 0,
             },
             bound: Bound::default(),
+            cull: Cull::None,
             rendering,
         };
         draw(&mut pass);
@@ -81,6 +97,16 @@ impl<'r, 'a> Pass<'r, 'a> {
 
     fn targets(&self) -> Targets {
         self.rendering.targets
+    }
+
+    /// Culls these faces from now on; a pass begins with none. Nothing is recorded where nothing changes.
+    pub fn set_cull(&mut self, cull: Cull) {
+        if self.cull == cull {
+            return;
+        }
+        set_cull_mode(self.recorder, cull);
+        self.cull = cull;
+        self.counts.cull_changes += 1;
     }
 
     /// Binds the pipeline.
@@ -211,6 +237,22 @@ fn begin_rendering(recorder: &Recorder, rendering: &Rendering) {
         raw.cmd_set_viewport(commands, 0, &[flipped_viewport(area.extent)]);
         raw.cmd_set_scissor(commands, 0, &[area]);
     }
+    set_cull_mode(recorder, Cull::None);
+}
+
+fn set_cull_mode(recorder: &Recorder, cull: Cull) {
+    let mode = match cull {
+        Cull::None => vk::CullModeFlags::NONE,
+        Cull::Front => vk::CullModeFlags::FRONT,
+        Cull::Back => vk::CullModeFlags::BACK,
+    };
+    // SAFETY: recording is under way; every pipeline leaves this state to the pass.
+    unsafe {
+        recorder
+            .device
+            .raw
+            .cmd_set_cull_mode(recorder.commands, mode)
+    };
 }
 
 /// A viewport of negative height: clip space has y up, as the world does, and counter-clockwise

@@ -31,15 +31,6 @@ pub enum Rate {
     Constant,
 }
 
-/// Which triangles are left out.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Cull {
-    /// None: faces are two-sided.
-    None,
-    /// Those whose corners run clockwise, seen from the eye.
-    Back,
-}
-
 /// A specialization constant and its value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Constant {
@@ -80,8 +71,6 @@ pub struct PipelineInfo<'a> {
     pub constants: &'a [Constant],
     /// What it draws to.
     pub targets: Targets,
-    /// Which triangles are left out.
-    pub cull: Cull,
 }
 
 /// A graphics pipeline; it holds the layout that it was made for.
@@ -221,14 +210,18 @@ fn create(
     let viewport = vk::PipelineViewportStateCreateInfo::default()
         .viewport_count(1)
         .scissor_count(1);
-    let raster = rasterization(info.cull);
+    let raster = rasterization();
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(info.targets.samples.vulkan());
     let depth = reversed_depth();
     let colors: Vec<_> = info.targets.color.iter().map(|c| c.vulkan()).collect();
     let attachments = vec![premultiplied(); colors.len()];
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
-    let dynamic_states = [vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR];
+    let dynamic_states = [
+        vk::DynamicState::VIEWPORT,
+        vk::DynamicState::SCISSOR,
+        vk::DynamicState::CULL_MODE,
+    ];
     let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&dynamic_states);
     let mut rendering = vk::PipelineRenderingCreateInfo::default()
         .color_attachment_formats(&colors)
@@ -309,13 +302,10 @@ fn vertex_layout(
         .unzip()
 }
 
-fn rasterization(cull: Cull) -> vk::PipelineRasterizationStateCreateInfo<'static> {
+/// Which faces are culled, each pass says.
+fn rasterization() -> vk::PipelineRasterizationStateCreateInfo<'static> {
     vk::PipelineRasterizationStateCreateInfo::default()
         .polygon_mode(vk::PolygonMode::FILL)
-        .cull_mode(match cull {
-            Cull::None => vk::CullModeFlags::NONE,
-            Cull::Back => vk::CullModeFlags::BACK,
-        })
         .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
         .line_width(1.0)
 }

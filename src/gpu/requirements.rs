@@ -48,6 +48,11 @@ fn missing_features(instance: &ash::Instance, device: vk::PhysicalDevice) -> Vec
     [
         (core_13.dynamic_rendering, "dynamicRendering"),
         (core_13.synchronization2, "synchronization2"),
+        // What `discard` is in SPIR-V 1.6; every Vulkan 1.3 device promises it.
+        (
+            core_13.shader_demote_to_helper_invocation,
+            "shaderDemoteToHelperInvocation",
+        ),
         (core.robust_buffer_access, "robustBufferAccess"),
         // Ten million triangles have more vertices than 2^24 - 1, all that is promised without it.
         (core.full_draw_index_uint32, "fullDrawIndexUint32"),

@@ -21,8 +21,9 @@ pub struct TextureUpload {
     staged: u64,
     /// The copies that the staged bytes wait for.
     copies: Vec<vk::BufferImageCopy>,
-    /// Whether a copy has run, which must not be undone by a transition from nothing.
-    begun: bool,
+    /// What the array was last used for: a later copy must not undo an earlier one by a transition
+    /// from nothing.
+    pub(super) used: ImageUse,
     /// Which layers of which levels were written: `level * layers + layer`.
     written: Vec<bool>,
 }
@@ -48,7 +49,7 @@ impl TextureUpload {
             staging,
             staged: 0,
             copies: Vec::new(),
-            begun: false,
+            used: ImageUse::Undefined,
             written: vec![false; info.levels as usize * info.layers as usize],
             array,
         })
@@ -115,14 +116,16 @@ impl TextureUpload {
 
     /// Copies what is staged; the array is then ready for `then`.
     fn flush(&mut self, then: ImageUse) -> Result<(), Error> {
-        let from = match self.begun {
-            true => ImageUse::TransferDestination,
-            false => ImageUse::Undefined,
-        };
         let mut recorder = Recorder::new(&self.device, "upload of textures")?;
-        recorder.fill(&self.staging, &mut self.array, &self.copies, from, then);
+        recorder.fill(
+            &self.staging,
+            &mut self.array,
+            &self.copies,
+            self.used,
+            then,
+        );
         recorder.submit()?;
-        self.begun = true;
+        self.used = then;
         self.copies.clear();
         self.staged = 0;
         Ok(())

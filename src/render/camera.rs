@@ -2,7 +2,7 @@
 
 // "directx": y up and depth 0..1 in clip space; the viewport turns y over.
 use glam::camera::rh::{proj::directx as to_clip, view};
-use glam::{Mat4, Vec3, Vec4};
+use glam::{DVec3, Mat4, Vec3, Vec4};
 
 use crate::scene::{Bounds, Camera, Projection};
 
@@ -45,6 +45,28 @@ pub fn eye(camera: &Camera) -> Vec4 {
         Projection::Perspective { .. } => camera.position.extend(1.0),
         Projection::Orthographic { .. } => (-forward(camera)).extend(0.0),
     }
+}
+
+/// The corners of what the camera may see of `bounds`: at the eye, and at the depth of the farthest point.
+pub fn frustum(camera: &Camera, aspect: f32, bounds: &Bounds) -> [DVec3; 8] {
+    let eye = camera.position.as_dvec3();
+    let ahead = (camera.target - camera.position).as_dvec3().normalize();
+    let right = ahead.cross(camera.up.as_dvec3()).normalize_or(DVec3::X);
+    let up = right.cross(ahead);
+    let depth = f64::from(depth_of(camera, bounds));
+    let half_height = |depth: f64| match camera.projection {
+        Projection::Perspective {
+            vertical_fov_degrees,
+        } => depth * (0.5 * f64::from(vertical_fov_degrees).to_radians()).tan(),
+        Projection::Orthographic { height } => 0.5 * f64::from(height),
+    };
+    std::array::from_fn(|corner| {
+        let sign = |bit: usize| if corner >> bit & 1 == 0 { -1.0 } else { 1.0 };
+        let depth = if corner >> 2 & 1 == 0 { 0.0 } else { depth };
+        let up = up * (sign(1) * half_height(depth));
+        let right = right * (sign(0) * half_height(depth) * f64::from(aspect));
+        eye + ahead * depth + up + right
+    })
 }
 
 /// How far a point lies from the eye, along the view; orders what is transparent.

@@ -1,26 +1,40 @@
 //! How does a scene become a picture?
 //!
 //! ```text
-//! Scene -> draw_list + records -> SceneBuffers -> shading_pass -> Targets -> Picture -> picture_file
+//! Scene -> effects::Census -> Uploaded (draw_list, geometry, maps)
+//!       -> Frame (scene_buffers, shadow_pass, shading_pass, Targets) -> Picture -> picture_file
 //! ```
 //!
 //! No `unsafe`, no Vulkan: only what `gpu` offers.
 
 mod camera;
 mod draw_list;
+pub mod effects;
+mod frame;
+mod geometry;
+mod maps;
 mod picture;
 mod picture_file;
+mod pipelines;
+mod placeholders;
+mod plan;
 mod records;
 mod renderer;
 mod scene_buffers;
 mod shading_pass;
+mod shadow_maps;
+mod shadow_pass;
 mod targets;
 mod tone_mapping;
+mod uploaded;
 mod variant;
 
 pub use draw_list::{Draw, DrawList, TooMany, draw_list};
+pub use frame::{Frame, FrameReport};
 pub use picture::{Defects, Picture};
 pub use picture_file::{OutputFile, PictureFormat, encode};
-pub use renderer::{FrameReport, RenderError, Renderer, Settings};
+pub use renderer::{RenderError, Renderer, Settings};
+pub use shadow_maps::ShadowMaps;
 pub use tone_mapping::{ToneMapping, exposure_factor, srgb_codes};
+pub use uploaded::Uploaded;
 pub use variant::Variant;

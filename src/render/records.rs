@@ -2,11 +2,14 @@
 
 use glam::{Affine3A, Vec3};
 
+use super::maps::Maps;
+use crate::interface::reflected::values;
 use crate::interface::{Instance, Light, Material};
-use crate::scene;
+use crate::scene::{self, Slot};
 
-/// The record of a material.
-pub fn material(material: &scene::Material) -> Material {
+/// The record of a material that calls for the effects of these bits.
+pub fn material(material: &scene::Material, effects: u32, maps: &Maps) -> Material {
+    let map = |slot| maps.handle(material.maps.get(slot));
     Material {
         albedo: material.albedo,
         opacity: material.opacity,
@@ -14,6 +17,19 @@ pub fn material(material: &scene::Material) -> Material {
         roughness: material.roughness,
         emission: material.emission,
         shininess: material.shininess,
+        effects,
+        metalness: material.metalness,
+        normal_scale: material.normal_scale,
+        alpha_cutoff: material.alpha_cutoff,
+        map_repeat: material.maps.repeat,
+        base_color_map: map(Slot::BaseColor),
+        emission_map: map(Slot::Emission),
+        normal_map: map(Slot::Normal),
+        roughness_map: map(Slot::Roughness),
+        metalness_map: map(Slot::Metalness),
+        occlusion_map: map(Slot::Occlusion),
+        alpha_mask: map(Slot::AlphaMask),
+        ..bytemuck::Zeroable::zeroed()
     }
 }
 
@@ -32,8 +48,25 @@ pub fn instance(transform: &Affine3A, material: u32) -> Instance {
     }
 }
 
-/// The record of a light.
-pub fn light(light: &scene::Light) -> Light {
+/// The record of a light that calls for the effects of these bits, with its shadow maps: the first, and how
+/// many.
+pub fn light(
+    light: &scene::Light,
+    effects: u32,
+    (shadow_first, shadow_count): (u32, u32),
+) -> Light {
+    let strength = |strength: f32| light.color.map(|channel| channel * strength);
+    // A lamp that may not stand somewhere shines from there all the same, as if from far away.
+    let place = |position: Vec3| match effects & values::BIT_POINT_LIGHT {
+        0 => position.normalize_or(Vec3::Y).extend(0.0),
+        _ => position.extend(1.0),
+    };
+    let record = Light {
+        effects,
+        shadow_first,
+        shadow_count,
+        ..bytemuck::Zeroable::zeroed()
+    };
     match light.kind {
         scene::LightKind::Directional {
             direction,
@@ -41,19 +74,19 @@ pub fn light(light: &scene::Light) -> Light {
             angular_diameter_degrees,
         } => Light {
             position: (-direction).extend(0.0).to_array(),
-            intensity: light.color.map(|channel| channel * illuminance),
+            intensity: strength(illuminance),
             radius: (angular_diameter_degrees * 0.5).to_radians().tan(),
-            ..everywhere()
+            ..record
         },
         scene::LightKind::Point {
             position,
             intensity,
             radius,
         } => Light {
-            position: position.extend(1.0).to_array(),
-            intensity: light.color.map(|channel| channel * intensity),
+            position: place(position).to_array(),
+            intensity: strength(intensity),
             radius,
-            ..everywhere()
+            ..record
         },
         scene::LightKind::Spot {
             position,
@@ -65,25 +98,15 @@ pub fn light(light: &scene::Light) -> Light {
         } => {
             let (cone_scale, cone_offset) = cone(inner_degrees, outer_degrees);
             Light {
-                position: position.extend(1.0).to_array(),
-                intensity: light.color.map(|channel| channel * intensity),
+                position: place(position).to_array(),
+                intensity: strength(intensity),
                 radius,
                 axis: direction.to_array(),
                 cone_scale,
                 cone_offset,
-                ..everywhere()
+                ..record
             }
         }
-    }
-}
-
-/// A light that shines alike in every direction: its falloff is 0 * cos + 1.
-fn everywhere() -> Light {
-    Light {
-        axis: Vec3::NEG_Y.to_array(),
-        cone_scale: 0.0,
-        cone_offset: 1.0,
-        ..bytemuck::Zeroable::zeroed()
     }
 }
 

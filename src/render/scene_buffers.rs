@@ -1,84 +1,87 @@
-//! How does a scene come to the device?
+//! How do a scene's records come to the device, and what is in the one set?
 
 use std::sync::Arc;
 
-use super::draw_list::DrawList;
+use super::effects::Effects;
+use super::maps::Maps;
+use super::renderer::Renderer;
+use super::shadow_maps::ShadowMaps;
+use super::uploaded::Uploaded;
 use super::{camera, records};
 use crate::gpu::{
-    Binding, BindingKind, Buffer, BufferUse, DescriptorSet, Device, Error, Resource, SetLayout,
-    Upload,
+    Binding, BindingKind, Buffer, BufferUse, DepthArray, DescriptorSet, Device, Error, Resource,
 };
+use crate::interface::Frame;
 use crate::interface::reflected::bindings;
-use crate::interface::{Frame, Light};
 use crate::scene::Scene;
 
 /// The one set: everything that a material, an object, a light or a frame is, is data here.
-pub const BINDINGS: [Binding; 4] = [
-    Binding {
-        slot: bindings::FrameBlock,
-        kind: BindingKind::Uniform,
-    },
-    Binding {
-        slot: bindings::InstanceBlock,
-        kind: BindingKind::Storage,
-    },
-    Binding {
-        slot: bindings::MaterialBlock,
-        kind: BindingKind::Storage,
-    },
-    Binding {
-        slot: bindings::LightBlock,
-        kind: BindingKind::Storage,
-    },
+pub const BINDINGS: [Binding; 20] = [
+    of(bindings::FrameBlock, BindingKind::Uniform),
+    of(bindings::InstanceBlock, BindingKind::Storage),
+    of(bindings::MaterialBlock, BindingKind::Storage),
+    of(bindings::LightBlock, BindingKind::Storage),
+    of(bindings::ShadowBlock, BindingKind::Storage),
+    of(bindings::shadow_depths, BindingKind::Texture),
+    of(bindings::shadow_sampler, BindingKind::Sampler),
+    of(bindings::map_sampler, BindingKind::Sampler),
+    of(bindings::base_color_maps_small, BindingKind::Texture),
+    of(bindings::base_color_maps_medium, BindingKind::Texture),
+    of(bindings::base_color_maps_large, BindingKind::Texture),
+    of(bindings::number_maps_small, BindingKind::Texture),
+    of(bindings::number_maps_medium, BindingKind::Texture),
+    of(bindings::number_maps_large, BindingKind::Texture),
+    of(bindings::normal_maps_small, BindingKind::Texture),
+    of(bindings::normal_maps_medium, BindingKind::Texture),
+    of(bindings::normal_maps_large, BindingKind::Texture),
+    of(bindings::emission_maps_small, BindingKind::Texture),
+    of(bindings::emission_maps_medium, BindingKind::Texture),
+    of(bindings::emission_maps_large, BindingKind::Texture),
 ];
 
-/// Everything that the shading pass reads.
+const fn of(slot: u32, kind: BindingKind) -> Binding {
+    Binding { slot, kind }
+}
+
+/// The records that shaders read.
 pub struct SceneBuffers {
-    /// `Frame`, `Instance[]`, `Material[]`, `Light[]`: in the order of `BINDINGS`.
-    records: [Arc<Buffer>; 4],
-    /// Positions of all meshes.
-    pub positions: Buffer,
-    /// Normals of all meshes.
-    pub normals: Buffer,
-    /// Indices of all meshes, then those of transparent objects again, sorted.
-    pub indices: Buffer,
+    /// `Frame`, `Instance[]`, `Material[]`, `Light[]`, `ShadowMap[]`: the first of `BINDINGS`.
+    records: [Arc<Buffer>; 5],
 }
 
 impl SceneBuffers {
-    /// Uploads a scene as seen through its camera in a picture of this aspect.
+    /// Uploads the records of a scene as seen through its camera in a picture of this aspect.
     ///
     /// # Errors
     /// More objects than the device's storage range holds, or no memory.
     pub fn new(
         device: &Arc<Device>,
-        scene: &Scene,
-        list: &DrawList,
+        uploaded: &Uploaded,
         aspect: f32,
+        effects: &Effects,
+        shadows: &ShadowMaps,
     ) -> Result<Self, Error> {
+        let Uploaded { scene, maps, .. } = uploaded;
         let instances: Vec<_> = scene
             .objects
             .iter()
             .map(|object| records::instance(&object.transform, index(object.material)))
             .collect();
-        let materials: Vec<_> = scene.materials.iter().map(records::material).collect();
-        let lights: Vec<Light> = scene.lights.iter().map(records::light).collect();
-        let frame = frame(scene, aspect);
+        let materials: Vec<_> = scene
+            .materials
+            .iter()
+            .map(|material| records::material(material, effects.material_bits(material), maps))
+            .collect();
+        let lights: Vec<_> = scene
+            .lights
+            .iter()
+            .zip(&shadows.of_light)
+            .map(|(light, maps)| records::light(light, effects.light_bits(light), *maps))
+            .collect();
         let storage = |name, bytes: &[u8]| {
             Buffer::with_data(device, name, BufferUse::Storage, bytes).map(Arc::new)
         };
-        let vertices = |name, of: fn(&crate::scene::Mesh) -> &[[f32; 3]]| {
-            let pieces = scene
-                .meshes
-                .iter()
-                .map(|mesh| bytemuck::cast_slice(of(mesh)));
-            joined(device, name, BufferUse::Vertices, pieces)
-        };
-        let sorted = bytemuck::cast_slice(&list.sorted_indices);
-        let indices = scene
-            .meshes
-            .iter()
-            .map(|mesh| bytemuck::cast_slice(&mesh.indices))
-            .chain([sorted]);
+        let frame = frame(scene, aspect);
         let frame = bytemuck::bytes_of(&frame);
         Ok(Self {
             records: [
@@ -86,20 +89,34 @@ impl SceneBuffers {
                 storage("instances", bytemuck::cast_slice(&instances))?,
                 storage("materials", bytemuck::cast_slice(&materials))?,
                 storage("lights", bytemuck::cast_slice(&lights))?,
+                storage("shadow maps", bytemuck::cast_slice(&shadows.maps))?,
             ],
-            positions: vertices("positions", |mesh| &mesh.positions)?,
-            normals: vertices("normals", |mesh| &mesh.normals)?,
-            indices: joined(device, "indices", BufferUse::Indices, indices)?,
         })
     }
 
-    /// The set that points at the records.
+    /// The one set: the records, and maps, or what stands in for maps that nobody calls for.
     ///
     /// # Errors
     /// The driver fails.
-    pub fn set(&self, layout: &Arc<SetLayout>) -> Result<DescriptorSet, Error> {
-        let resources = self.records.clone().map(Resource::Buffer);
-        DescriptorSet::new(layout, "the set", &resources)
+    pub fn set(
+        &self,
+        renderer: &Renderer,
+        depths: Option<&Arc<DepthArray>>,
+        maps: &Maps,
+    ) -> Result<DescriptorSet, Error> {
+        let placeholders = &renderer.placeholders;
+        let mut resources: Vec<_> = self.records.iter().cloned().map(Resource::Buffer).collect();
+        resources.push(match depths {
+            Some(depths) => Resource::Depth(Arc::clone(depths)),
+            None => placeholders.texture(),
+        });
+        resources.push(placeholders.shadow_sampler());
+        resources.push(placeholders.map_sampler());
+        resources.extend(maps.arrays().map(|array| match array {
+            Some(array) => Resource::Texture(Arc::clone(array)),
+            None => placeholders.texture(),
+        }));
+        DescriptorSet::new(&renderer.layout, "the set", &resources)
     }
 }
 
@@ -111,23 +128,8 @@ fn frame(scene: &Scene, aspect: f32) -> Frame {
         sky: scene.ambient.sky,
         light_count: index(scene.lights.len()),
         ground: scene.ambient.ground,
-        frame_padding: 0.0,
+        object_count: index(scene.objects.len()),
     }
-}
-
-/// One buffer of several pieces, which are never joined on the host.
-fn joined<'a>(
-    device: &Arc<Device>,
-    name: &str,
-    usage: BufferUse,
-    pieces: impl Iterator<Item = &'a [u8]> + Clone,
-) -> Result<Buffer, Error> {
-    let bytes = pieces.clone().map(|piece| piece.len() as u64).sum();
-    let mut upload = Upload::new(device, name, usage, bytes)?;
-    for piece in pieces {
-        upload.write(piece)?;
-    }
-    upload.finish()
 }
 
 /// The loaders bound every count far below this.

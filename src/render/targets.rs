@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::picture::Picture;
 use crate::gpu::{
-    Buffer, BufferUse, Device, Error, Image, ImageInfo, PassInfo, Recorder, Samples, requirements,
+    Buffer, BufferUse, DepthArray, Device, Error, Image, ImageInfo, PassInfo, Recorder, Samples,
+    requirements,
 };
 
 /// Colour, depth, and where colour is resolved to.
@@ -52,14 +53,14 @@ impl Targets {
         })
     }
 
-    /// A pass that draws to these targets.
-    pub fn pass<'a>(&'a self, name: &'a str) -> PassInfo<'a> {
+    /// A pass that draws to these targets and samples `reads`.
+    pub fn pass<'a>(&'a self, name: &'a str, reads: &'a [&'a DepthArray]) -> PassInfo<'a> {
         PassInfo {
             name,
             color: &self.color,
             resolve: self.resolved.as_ref(),
             depth: &self.depth,
-            reads: &[],
+            reads,
         }
     }
 

@@ -6,7 +6,9 @@ use umber::reference::punctual::{DISTANCE_MAX, DISTANCE_MIN};
 const CONSTANTS: &str = include_str!("../../shaders-glsl/math/constants.glsl");
 const DIRECTION: &str = include_str!("../../shaders-glsl/math/direction.glsl");
 const BECKMANN: &str = include_str!("../../shaders-glsl/brdf/beckmann.glsl");
-const PUNCTUAL: &str = include_str!("../../shaders-glsl/light/punctual.glsl");
+const INCIDENT: &str = include_str!("../../shaders-glsl/light/incident.glsl");
+const POINT_LIGHT: &str = include_str!("../../shaders-glsl/effects/point_light.glsl");
+const SHADOW: &str = include_str!("../../shaders-glsl/effects/shadow.glsl");
 
 /// The 32 bits that a shader reads from `const float NAME = VALUE;`.
 #[track_caller]
@@ -30,19 +32,21 @@ fn thresholds_are_the_powers_of_two_that_their_comments_derive() {
     assert_eq!(constant(CONSTANTS, "COS_MIN"), 2.0_f32.powi(-22));
     assert_eq!(constant(DIRECTION, "LENGTH_MIN"), f32::MIN_POSITIVE);
     assert_eq!(constant(DIRECTION, "LENGTH_MAX"), 2.0_f32.powi(126));
-    assert_eq!(constant(PUNCTUAL, "ILLUMINANCE_MAX"), 2.0_f32.powi(64));
-    assert_eq!(constant(PUNCTUAL, "CAPPED2_MAX"), 2.0_f32.powi(60));
+    assert_eq!(constant(INCIDENT, "ILLUMINANCE_MAX"), 2.0_f32.powi(64));
+    assert_eq!(constant(POINT_LIGHT, "CAPPED2_MAX"), 2.0_f32.powi(60));
+    assert_eq!(constant(SHADOW, "DEPTH_ROUNDING"), 2.0_f32.powi(-20));
+    assert_eq!(constant(SHADOW, "POSITION_ROUNDING"), 2.0_f32.powi(-22));
 }
 
 #[test]
 fn shader_and_reference_have_the_same_limits() {
     assert_eq!(constant(BECKMANN, "M_MIN"), M_MIN as f32);
     assert_eq!(
-        constant(PUNCTUAL, "DISTANCE2_MIN"),
+        constant(POINT_LIGHT, "DISTANCE2_MIN"),
         (DISTANCE_MIN * DISTANCE_MIN) as f32
     );
     assert_eq!(
-        constant(PUNCTUAL, "DISTANCE2_MAX"),
+        constant(POINT_LIGHT, "DISTANCE2_MAX"),
         (DISTANCE_MAX * DISTANCE_MAX) as f32
     );
 }

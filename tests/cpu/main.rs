@@ -6,6 +6,7 @@ mod cook_torrance;
 mod coordinates;
 mod coupled;
 mod crease_normals;
+mod effects;
 mod hemisphere;
 mod layout;
 mod maps;

@@ -13,11 +13,10 @@ mod stub;
 mod vanish;
 
 pub use remains::remains;
-pub use vanish::assert_vanishes;
+pub use vanish::{assert_vanishes, what_is_left};
 
 use remains::{Remains, made};
 use stub::stub;
-use vanish::what_is_left;
 
 const SHADERS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/shaders-glsl");
 

@@ -183,3 +183,32 @@ fn both_sides_of_a_face_are_lit_and_a_mirrored_object_is_no_different() {
 fn middle_pixel_corrected(scene: &Scene) -> [f32; 4] {
     with_gpu(|gpu| gpu.render(scene, (3, 3), whole(Lighting::Corrected))).at(1, 1)
 }
+
+#[test]
+fn a_one_sided_face_is_seen_from_its_front_alone_mirrored_or_not() {
+    let patches = Patches {
+        to_eye: Vec3::Z,
+        lights: Vec::new(),
+        ambient: DARK,
+        patches: vec![Patch {
+            normal: Vec3::Z,
+            material: Material {
+                two_sided: false,
+                ..sheet(1.0, [1.0; 3])
+            },
+        }],
+    };
+    let half_turn = glam::Affine3A::from_rotation_y(std::f32::consts::PI);
+    let mirror = glam::Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0));
+    let cases = [
+        ("as it is", glam::Affine3A::IDENTITY, true),
+        ("from behind", half_turn, false),
+        ("mirrored", mirror, true),
+        ("mirrored, from behind", half_turn * mirror, false),
+    ];
+    for (name, transform, seen) in cases {
+        let mut scene = patches.scene();
+        scene.objects[0].transform = transform;
+        assert_eq!(middle_pixel(&scene)[3] > 0.0, seen, "{name}");
+    }
+}

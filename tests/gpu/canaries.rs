@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use umber::gpu::{Canary, Device, DeviceSelector, Instance, Samples, Validation, choose};
 use umber::reference::shade::Lighting;
+use umber::render::effects::Effects;
 use umber::render::{Renderer, Settings};
 
 use crate::harness::{whole, with_gpu};
@@ -57,6 +58,7 @@ fn everything_is_destroyed_before_the_device_and_in_order() -> Result<(), umber:
             height: 18,
             samples,
             variant: whole(Lighting::Corrected),
+            effects: Effects::default(),
         };
         if let Err(error) = renderer.render(&scene, &settings) {
             panic!("no frame: {error}");

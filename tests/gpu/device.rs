@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use umber::gpu::{Buffer, BufferUse, Error, Samples, Upload};
+use umber::render::effects::Effects;
 use umber::render::{RenderError, Renderer, Settings, Variant};
 
 use crate::harness::with_gpu;
@@ -15,6 +16,7 @@ fn settings(width: u32, height: u32) -> Settings {
         height,
         samples: Samples::One,
         variant: Variant::default(),
+        effects: Effects::default(),
     }
 }
 

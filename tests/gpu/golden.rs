@@ -45,6 +45,10 @@ const ZOO: (&str, &str) = ("scenes", "zoo.toml");
 const ROUGHNESS: (&str, &str) = ("scenes", "roughness.toml");
 /// A model alone: framed by its bounds, lit by the default lights, of the materials of its MTL.
 const CRATE: (&str, &str) = (KEPT, "crate.obj");
+/// Three lamps with shadows.
+const SHADOW: (&str, &str) = ("scenes/effects", "shadow.toml");
+/// Holes.
+const ALPHA_MASK: (&str, &str) = ("scenes/effects", "alpha-mask.toml");
 const SPECULAR: Terms = Terms {
     specular: true,
     ..Terms::NONE
@@ -62,6 +66,8 @@ const GOLDEN: &[Golden] = &[
     ),
     golden("roughness_slides", ROUGHNESS, Lighting::Slides, Terms::ALL),
     golden("crate", CRATE, Lighting::Corrected, Terms::ALL),
+    golden("shadow", SHADOW, Lighting::Corrected, Terms::ALL),
+    golden("alpha_mask", ALPHA_MASK, Lighting::Corrected, Terms::ALL),
 ];
 
 fn kept_file(folder: &Path, name: &str) -> PathBuf {

@@ -4,6 +4,7 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use umber::gpu::{Device, DeviceSelector, Instance, Samples, Validation, choose};
 use umber::reference::shade::{Lighting, Terms};
+use umber::render::effects::Effects;
 use umber::render::{FrameReport, Picture, Renderer, Settings, Variant};
 use umber::scene::Scene;
 
@@ -36,13 +37,21 @@ impl Gpu {
         samples: Samples,
         variant: Variant,
     ) -> (Picture, FrameReport) {
-        let settings = Settings {
-            width,
-            height,
-            samples,
-            variant,
-        };
-        match self.renderer.render(scene, &settings) {
+        self.render_with(
+            scene,
+            &Settings {
+                width,
+                height,
+                samples,
+                variant,
+                effects: Effects::default(),
+            },
+        )
+    }
+
+    /// Renders.
+    pub fn render_with(&self, scene: &Scene, settings: &Settings) -> (Picture, FrameReport) {
+        match self.renderer.render(scene, settings) {
             Ok(frame) => frame,
             Err(error) => panic!("no frame: {error}"),
         }

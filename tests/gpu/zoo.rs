@@ -4,11 +4,13 @@ use std::path::Path;
 
 use umber::gpu::Samples;
 use umber::reference::shade::Lighting;
-use umber::render::{Defects, Renderer};
+use umber::render::effects::{Build, Effects};
+use umber::render::{Defects, Renderer, Settings};
 use umber::scene::{self, LoadOptions, Scene};
 
 use crate::harness::{whole, with_gpu};
 use crate::records::record;
+use crate::tolerances;
 
 /// One of the sample scenes.
 pub fn load(name: &str) -> Scene {
@@ -24,20 +26,25 @@ pub fn load_from(folder: &str, name: &str) -> Scene {
     }
 }
 
-/// The names of all sample scenes.
+/// The names of all sample scenes, those of single effects included.
 fn names() -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
-    let names: std::io::Result<Vec<_>> = std::fs::read_dir(folder)
-        .into_iter()
-        .flatten()
-        .map(|entry| entry.map(|e| e.file_name().to_string_lossy().into_owned()))
-        .collect();
-    let mut names = names.unwrap_or_default();
-    names.retain(|name| name.ends_with(".toml"));
-    assert!(
-        names.len() >= 2,
-        "the sample scenes are not found: {names:?}"
-    );
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let mut names = Vec::new();
+    for folder in ["", "effects/"] {
+        for entry in std::fs::read_dir(root.join(folder))
+            .into_iter()
+            .flatten()
+            .flatten()
+        {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            if name.ends_with(".toml") {
+                names.push(format!("{folder}{name}"));
+            }
+        }
+    }
+    names.sort();
+    let found = names.len() >= 2 + umber::render::effects::ALL.len();
+    assert!(found, "the sample scenes are not found: {names:?}");
     names
 }
 
@@ -71,9 +78,11 @@ fn a_sample_scene_needs_one_pipeline_and_one_bind_of_each() -> Result<(), umber:
                     .1)
             };
             let report = with_gpu(frame)?;
-            assert_eq!(report.pipelines_created, 1, "{name}, {lighting:?}");
-            let [pass] = &report.passes[..] else {
-                panic!("{name}: {} passes", report.passes.len());
+            // One for each pass: `shadow`, where a lamp throws one, and `shading`.
+            let passes = report.passes.len() as u64;
+            assert_eq!(report.pipelines_created, passes, "{name}, {lighting:?}");
+            let Some(pass) = report.passes.iter().find(|pass| pass.name == "shading") else {
+                panic!("{name}: no pass `shading`");
             };
             let binds = (pass.pipeline_binds, pass.descriptor_set_binds);
             assert_eq!(binds, (1, 1), "{name}, {lighting:?}");
@@ -100,6 +109,46 @@ fn the_listing_on_the_sample_scenes_is_counted() {
             record(gpu, "slides_scenes", &name, &counts);
             // The count is the driver's; that it is a part of the picture is not.
             assert!(defects.not_finite() < pixels / 2);
+        });
+    }
+}
+
+#[test]
+fn the_scene_of_an_effect_calls_for_it() {
+    for effect in &umber::render::effects::ALL {
+        let scene = load(&format!("effects/{}.toml", effect.name));
+        let called_for = umber::render::effects::Census::of(&scene).called_for();
+        assert!(called_for.has(effect), "{}: {called_for}", effect.name);
+    }
+}
+
+#[test]
+fn the_three_builds_of_a_sample_scene_are_the_same_picture() {
+    for name in names() {
+        let scene = load(&name);
+        with_gpu(|gpu| {
+            let picture = |build| {
+                let effects = Effects {
+                    build,
+                    ..Effects::default()
+                };
+                let settings = Settings {
+                    width: 160,
+                    height: 90,
+                    samples: Samples::One,
+                    variant: whole(Lighting::Corrected),
+                    effects,
+                };
+                gpu.render_with(&scene, &settings).0
+            };
+            let [dynamic, of_scene, of_material] = Build::ALL.map(picture);
+            for picture in [of_scene, of_material] {
+                let difference = picture.max_difference(&dynamic);
+                assert!(
+                    difference <= tolerances::SAME_PICTURE,
+                    "{name}: {difference:e}"
+                );
+            }
         });
     }
 }

@@ -169,21 +169,22 @@ fn board(half: Vec3, below: f32, seed: u32) -> [Surface; 2] {
 }
 
 pub fn timber() -> Vec<Part> {
-    let mut early = Surface::default();
-    let mut late = Surface::default();
-    let mut add = |pair: &[Surface; 2], place: Affine3A| {
-        early.append(&pair[0], place);
-        late.append(&pair[1], place);
+    let add = |sides: &mut [Surface; 2], pair: &[Surface; 2], place: Affine3A| {
+        for (side, surface) in sides.iter_mut().zip(pair) {
+            side.append(surface, place);
+        }
     };
     let thickness = 0.04;
     let lower = board(Vec3::new(0.44, thickness, 0.17), 0.02, 41);
     let upper = board(Vec3::new(0.42, thickness, 0.15), 0.06, 51);
-    add(&lower, turned_at(4.0, Vec3::new(0.0, thickness, 0.16)));
-    add(&lower, turned_at(184.0, Vec3::new(0.0, thickness, -0.19)));
-    add(
-        &upper,
-        turned_at(-5.0, Vec3::new(0.02, thickness * 3.0 + 0.001, 0.0)),
-    );
+    let mut boards: [Surface; 2] = Default::default();
+    for (board, turn, seat) in [
+        (&lower, 4.0, Vec3::new(0.0, thickness, 0.16)),
+        (&lower, 184.0, Vec3::new(0.0, thickness, -0.19)),
+        (&upper, -5.0, Vec3::new(0.02, thickness * 3.0 + 0.001, 0.0)),
+    ] {
+        add(&mut boards, board, turned_at(turn, seat));
+    }
     // The log lies on the boards, its sawn end to the viewer and a little to the left.
     let lie = Quat::from_rotation_y(-0.42) * Quat::from_rotation_x(TAU / 4.0);
     let log =
@@ -191,13 +192,18 @@ pub fn timber() -> Vec<Part> {
     let end = end_grain();
     let far_end = Affine3A::from_rotation_x(TAU / 2.0);
     let sawn = Affine3A::from_translation(Vec3::Y * (LENGTH * 0.5));
-    add(&end, log * sawn);
-    add(&end, log * far_end * sawn);
+    let mut ends: [Surface; 2] = Default::default();
+    add(&mut ends, &end, log * sawn);
+    add(&mut ends, &end, log * far_end * sawn);
     let [ridge, mut furrow] = bark();
     furrow.append(&checks(), sawn);
+    let [early, late] = boards;
+    let [end_early, end_late] = ends;
     vec![
         part("early", early),
         part("late", late),
+        part("end_early", end_early),
+        part("end_late", end_late),
         part("bark", ridge.placed(log)),
         part("furrow", furrow.placed(log)),
     ]

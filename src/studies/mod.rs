@@ -1,0 +1,9 @@
+//! Which questions does the instrument ask, and what are the answers?
+//!
+//! A study measures and returns a table; it neither parses nor prints.
+
+mod effects;
+mod first_draw;
+
+pub use effects::{Options, SceneStudy, frames, study};
+pub use first_draw::{FirstDraw, FirstDrawError};
