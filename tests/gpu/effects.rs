@@ -12,7 +12,7 @@ use umber::render::{Picture, Settings, Variant};
 use umber::scene::Scene;
 
 use crate::harness::{Gpu, with_gpu};
-use crate::tolerances;
+use crate::{tolerances, zoo};
 use everything::scene_with;
 
 const SIZE: u32 = 32;
@@ -213,6 +213,36 @@ fn with_every_effect_the_pass_shading_binds_one_pipeline_and_one_set() {
             };
             let binds = (shading.pipeline_binds, shading.descriptor_set_binds);
             assert_eq!(binds, (1, 1), "{}", build.name());
+        }
+    });
+}
+
+#[test]
+fn what_is_left_of_the_effects_is_the_same_picture_in_every_build() {
+    let everything: Vec<_> = (0..ALL.len()).collect();
+    let scenes = [
+        scene_with(&everything),
+        zoo::load("effects/spot-light.toml"),
+        zoo::load("effects/shadow.toml"),
+    ];
+    with_gpu(|gpu| {
+        for scene in &scenes {
+            for effect in &ALL {
+                let left = |build| {
+                    let effects = Effects {
+                        allowed: EffectSet::ALL.without(effect),
+                        idle: EffectSet::NONE,
+                        build,
+                    };
+                    gpu.render_with(scene, &settings(effects)).0
+                };
+                let all = left(Build::Dynamic);
+                assert_eq!(all.defects().not_finite(), 0, "without {}", effect.name);
+                for build in [Build::Scene, Build::Material] {
+                    let what = format!("without {}, {}", effect.name, build.name());
+                    assert_same(gpu, &left(build), &all, &what);
+                }
+            }
         }
     });
 }

@@ -4,7 +4,7 @@ use super::census::{Census, Share};
 use super::list::{ALL, Rule};
 use super::set::EffectSet;
 use super::states::{State, States};
-use crate::interface::reflected::values;
+use crate::interface::reflected::{constants, values};
 use crate::scene::{Light, LightKind, Material};
 
 /// How the same source becomes pipelines.
@@ -59,10 +59,16 @@ impl Default for Effects {
 impl Effects {
     /// The states of the one pipeline that serves the scene.
     pub(in crate::render) fn states(&self, census: &Census) -> States {
-        self.resolve(|place| match census.shares[place] {
-            Share::None => State::Off,
-            Share::Some if !ALL[place].harmless => State::FromData,
-            Share::Some | Share::All => State::On,
+        // Lamps that may not stand somewhere have no beam and no shadow either, whatever they call for.
+        let far_away = !self.allowed.has_constant(constants::EFFECT_POINT_LIGHT);
+        self.resolve(|place| {
+            let asked = matches!(ALL[place].rule, Rule::Light(..)) && far_away;
+            match census.shares[place] {
+                Share::None => State::Off,
+                Share::All if !asked => State::On,
+                Share::Some if ALL[place].harmless => State::On,
+                Share::Some | Share::All => State::FromData,
+            }
         })
     }
 

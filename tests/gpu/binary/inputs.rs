@@ -197,3 +197,61 @@ fn a_scene_finds_its_models_beside_it_and_writes_where_the_user_is() -> Tested {
     assert_eq!(place.names()?, ["scene.png", "sub"]);
     Ok(())
 }
+
+/// A white PNG of this size.
+fn png(width: u32, height: u32) -> Result<Vec<u8>, image::ImageError> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let picture = image::GrayImage::from_pixel(width, height, image::Luma([255]));
+    picture.write_to(&mut bytes, image::ImageFormat::Png)?;
+    Ok(bytes.into_inner())
+}
+
+/// `SQUARE` under a map.
+fn mapped(file: &str) -> String {
+    format!("{SQUARE}\n[material.plaster]\nbase_color_map = \"{file}\"\n")
+}
+
+#[test]
+fn a_bad_map_ends_with_6_and_a_good_one_is_drawn() -> Tested {
+    let place = Place::empty()?;
+    let whole = png(16, 16)?;
+    std::fs::write(place.path("whole.png"), &whole)?;
+    std::fs::write(place.path("cut.png"), &whole[..whole.len() / 2])?;
+    std::fs::write(place.path("empty.png"), [])?;
+    let size = ["--size", "16x9", "--samples", "1"];
+    for (file, words) in [
+        ("cut.png", "cut.png"),
+        ("empty.png", "empty.png"),
+        ("missing.png", "missing.png"),
+        ("../outside.png", "outside"),
+        ("scene.toml", "scene.toml"),
+    ] {
+        place.write("scene.toml", &mapped(file))?;
+        place
+            .render(&[&["scene.toml"][..], &size].concat())?
+            .ends(6, &[words]);
+        assert!(!place.path("scene.png").exists(), "{file}");
+    }
+    place.write("scene.toml", &mapped("whole.png"))?;
+    let run = place.render(&[&["scene.toml"][..], &size].concat())?;
+    run.ends(0, &["base-color-map"]);
+    Ok(())
+}
+
+/// A thin picture is small where it is counted, and large where it is made square.
+#[test]
+fn maps_that_grow_beyond_memory_end_with_6() -> Tested {
+    let place = Place::empty()?;
+    let mut scene = SQUARE.to_owned();
+    for number in 0..9 {
+        std::fs::write(place.path(&format!("{number}.png")), png(4096, 1)?)?;
+        scene.push_str(&format!(
+            "[material.m{number}]\nbase_color_map = \"{number}.png\"\n\
+             [model.m{number}]\nshape = \"cube\"\nmaterial = \"m{number}\"\n"
+        ));
+    }
+    place.write("scene.toml", &scene)?;
+    let run = place.render(&["scene.toml", "--size", "16x9"])?;
+    run.ends(6, &["too large", "square"]);
+    Ok(())
+}
