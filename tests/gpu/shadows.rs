@@ -506,6 +506,13 @@ fn a_lamp_of_any_size_throws_its_shadow() {
     for radius in [1.0e-40, 1.0e-30, 1.0e-6, 1.0e-3, 0.1] {
         let mut scene = under_a_plate(1.0, matte(), Vec::new());
         let whole = shadowed(&scene);
+        // A speck in the lamp itself, which would draw the near plane to it.
+        let speck = Affine3A::from_scale_rotation_translation(
+            Vec3::splat(1e-4),
+            Quat::IDENTITY,
+            Vec3::new(0.0, 2.0, 0.0),
+        );
+        scene.objects.push(object("speck", 0, speck));
         let LightKind::Point { radius: own, .. } = &mut scene.lights[0].kind else {
             panic!("a point light");
         };

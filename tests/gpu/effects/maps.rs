@@ -308,6 +308,38 @@ fn a_normal_map_flattened_by_its_factor_is_the_plain_normal() {
 }
 
 #[test]
+fn maps_of_three_sizes_are_each_found() {
+    let glow = |side: u32, value: f32| {
+        let texels = vec![[value, value, value, 1.0]; (side * side) as usize];
+        Texture::from_linear("glow", Slot::Emission, side, side, &texels)
+    };
+    // Too large together to share one array.
+    let sides = [(256, 0.25), (1024, 0.5), (4096, 0.75)];
+    let textures: Vec<_> = sides
+        .iter()
+        .filter_map(|(side, value)| glow(*side, *value))
+        .collect();
+    assert_eq!(textures.len(), 3);
+    let lamp = Material {
+        emission: [1.0; 3],
+        ..material([0.0; 3], [0.0; 3], 0.0)
+    };
+    let (mut scene, size) = scene(&lamp, &[Vec3::Z; 3], textures);
+    for (number, material) in scene.materials.iter_mut().enumerate() {
+        material.maps.emission = Some(number);
+    }
+    scene.ambient = Ambient::default();
+    scene.lights.clear();
+    let picture = with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::Corrected)));
+    let mut seen: Vec<_> = picture.pixels.iter().map(|pixel| pixel[0]).collect();
+    seen.retain(|value| *value > 0.0);
+    seen.dedup();
+    // Two patches in the upper row, of three lines each, and one in the lower.
+    let rows = [[0.25, 0.5], [0.25, 0.5], [0.25, 0.5]].concat();
+    assert_eq!(seen, [rows, vec![0.75]].concat());
+}
+
+#[test]
 fn a_map_lies_upright_and_repeats_as_often_as_it_should() {
     // Left column dark, right one bright in the upper row; the other way round in the lower.
     let texels = [0.1_f32, 0.9, 0.6, 0.3].map(|v| [v, v, v, 1.0]);
