@@ -65,6 +65,12 @@ struct Task {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let json = arguments.json.open()?;
     let tasks = tasks(arguments)?;
+    for task in &tasks {
+        if json.as_ref().is_some_and(|json| json.is(&task.path)) {
+            let message = format!("{}: it would be overwritten", task.path.display());
+            return Err(Failure::new(Exit::Usage, message));
+        }
+    }
     let device = arguments.device.open()?;
     device.check_target_size(arguments.size.0, arguments.size.1)?;
     device.check_samples(arguments.samples)?;

@@ -41,7 +41,7 @@ pub struct Arguments {
     #[arg(long, default_value = "corrected")]
     lighting: LightingArgument,
     /// What the picture may contain: census (what the scene calls for), all (the same picture, compiled for any
-    /// scene), none, or a list such as shadow,spot-light of what is left of it
+    /// scene), none, or a list of what is left of it: diffuse-lobe,point-light
     #[arg(long, value_name = "LIST", default_value = "census", value_parser = effects)]
     effects: Effects,
     /// How the effects are compiled: one pipeline for any scene, one for this scene, or one for each kind of

@@ -137,6 +137,7 @@ fn what_is_asked_wrongly_ends_with_2() -> Tested {
         (&["scene.toml", "--only", "shadows"], "'shadow'"),
         (&["scene.toml", "--only", ""], "diffuse-lobe"),
         (&["scene.toml", "--rounds", "0"], "rounds"),
+        (&["scene.toml", "--json=./scene.toml"], "overwritten"),
         (&["scene.toml", "--price-list", "."], "price-list"),
         (&["scene.toml", "--size", "0x9"], "at least one pixel"),
         (&["scene.toml", "--size", "1000000x9"], "at most"),
