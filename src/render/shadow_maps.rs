@@ -155,10 +155,10 @@ impl<'a> Around<'a> {
     /// the lamp throws none, and at least the share of its reach that `NEAR_SHARE` is.
     fn near(&self, position: Vec3, radius: f32) -> f64 {
         let position = position.as_dvec3();
-        let boxes = self.casters.iter().map(|caster| {
-            let around = Box3::around(caster.corners.iter().copied());
-            position.distance(position.clamp(around.min, around.max))
-        });
+        let boxes = self
+            .casters
+            .iter()
+            .map(|Caster { around, .. }| position.distance(position.clamp(around.min, around.max)));
         let nearest = boxes.fold(f64::INFINITY, f64::min);
         let corners = self.bounds.corners();
         let reach = corners
@@ -234,7 +234,7 @@ fn parallel(forward: DVec3, around: &Around) -> DMat4 {
     ) * view
 }
 
-/// A box along the axes of a lamp's view.
+/// A box along axes, the world's or those of a lamp's view.
 struct Box3 {
     min: DVec3,
     max: DVec3,
@@ -253,10 +253,11 @@ impl Box3 {
     }
 }
 
-/// An opaque object: its draw, and the corners of its box in the world.
+/// An opaque object: its draw, the corners of its mesh's box in the world, and the box of the world around them.
 struct Caster {
     draw: Draw,
     corners: Vec<DVec3>,
+    around: Box3,
 }
 
 fn casters(scene: &Scene, list: &DrawList) -> Vec<Caster> {
@@ -270,9 +271,11 @@ fn casters(scene: &Scene, list: &DrawList) -> Vec<Caster> {
             let object = &scene.objects[draw.instance as usize];
             let corners = bounds[object.mesh].corners();
             let corners = corners.map(|corner| object.transform.transform_point3(corner));
+            let corners: Vec<_> = corners.map(|corner| corner.as_dvec3()).collect();
             Caster {
                 draw: draw.clone(),
-                corners: corners.map(|corner| corner.as_dvec3()).collect(),
+                around: Box3::around(corners.iter().copied()),
+                corners,
             }
         })
         .collect()

@@ -33,7 +33,7 @@ mod overrides;
 mod paths;
 mod quote;
 pub mod shapes;
-mod suggest;
+pub(crate) mod suggest;
 mod tangents;
 mod texture;
 mod texture_loader;

@@ -26,7 +26,7 @@ fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a s
 }
 
 /// "unknown KIND 'NAME'; the nearest known one is 'X'", or the list of known ones.
-pub(super) fn unknown<'a>(
+pub(crate) fn unknown<'a>(
     kind: &str,
     name: &str,
     known: impl IntoIterator<Item = &'a str>,

@@ -3,20 +3,16 @@
 use std::fmt;
 
 use super::list::{ALL, Effect};
+use crate::scene::suggest;
 
 /// Some of the effects of [`ALL`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct EffectSet(u32);
 
-/// A name that no effect has.
+/// A name that no effect has; the text tells the nearest one, or all of them.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-#[error("there is no effect '{name}': {advice}")]
-pub struct UnknownEffect {
-    /// What was written.
-    pub name: String,
-    /// The nearest name, or all of them.
-    pub advice: String,
-}
+#[error("{0}")]
+pub struct UnknownEffect(String);
 
 impl EffectSet {
     /// No effect.
@@ -69,11 +65,6 @@ impl EffectSet {
         Self(self.0 & other.0)
     }
 
-    /// Whether there are none.
-    pub fn is_empty(self) -> bool {
-        self.0 == 0
-    }
-
     /// The effects, in the order of [`ALL`].
     pub fn iter(self) -> impl Iterator<Item = &'static Effect> {
         let places = ALL.iter().enumerate();
@@ -94,20 +85,6 @@ fn bit_of(effect: &Effect) -> u32 {
 }
 
 fn unknown(name: &str) -> UnknownEffect {
-    let nearest = ALL
-        .iter()
-        .map(|effect| (strsim::damerau_levenshtein(name, effect.name), effect.name))
-        .min();
-    let advice = match nearest {
-        // A typing slip or two; beyond that a guess would mislead.
-        Some((distance, nearest)) if distance <= 3 => format!("did you mean '{nearest}'?"),
-        _ => {
-            let names: Vec<_> = ALL.iter().map(|effect| effect.name).collect();
-            format!("there are {}", names.join(", "))
-        }
-    };
-    UnknownEffect {
-        name: name.chars().take(40).collect(),
-        advice,
-    }
+    let known = ALL.iter().map(|effect| effect.name);
+    UnknownEffect(suggest::unknown("effect", name, known))
 }
