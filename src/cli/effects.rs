@@ -85,7 +85,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         rounds: arguments.rounds.into(),
         rows: Vec::new(),
         builds: Vec::new(),
-        program: Program::THIS,
+        program: Program::this(),
     };
     let bar = progress_bar(arguments, &tasks);
     let measured = tasks

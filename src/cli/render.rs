@@ -111,7 +111,7 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
         frame,
         validation_messages: messages.len(),
         start_to_file_ms: start.elapsed().as_secs_f64() * 1e3 - outside_ms,
-        program: Program::THIS,
+        program: Program::this(),
     };
     say(arguments, summary(&report, device.info().kind));
     if let Some(json) = json {
