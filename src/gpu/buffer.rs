@@ -16,12 +16,16 @@ use super::upload::Upload;
 pub enum BufferUse {
     /// A uniform block.
     Uniform,
+    /// Uniform blocks, each at a multiple of [`Device::uniform_alignment`].
+    UniformWindows,
     /// A storage block.
     Storage,
     /// Vertices.
     Vertices,
     /// 32-bit indices.
     Indices,
+    /// Draw commands.
+    Indirect,
     /// Written by the host, copied from.
     Staging,
     /// Copied to, read by the host.
@@ -32,10 +36,13 @@ impl BufferUse {
     fn usage(self) -> vk::BufferUsageFlags {
         let from_staging = vk::BufferUsageFlags::TRANSFER_DST;
         match self {
-            Self::Uniform => vk::BufferUsageFlags::UNIFORM_BUFFER | from_staging,
+            Self::Uniform | Self::UniformWindows => {
+                vk::BufferUsageFlags::UNIFORM_BUFFER | from_staging
+            }
             Self::Storage => vk::BufferUsageFlags::STORAGE_BUFFER | from_staging,
             Self::Vertices => vk::BufferUsageFlags::VERTEX_BUFFER | from_staging,
             Self::Indices => vk::BufferUsageFlags::INDEX_BUFFER | from_staging,
+            Self::Indirect => vk::BufferUsageFlags::INDIRECT_BUFFER | from_staging,
             Self::Staging => vk::BufferUsageFlags::TRANSFER_SRC,
             Self::Readback => vk::BufferUsageFlags::TRANSFER_DST,
         }
@@ -125,6 +132,13 @@ impl Buffer {
     /// What the buffer is for.
     pub fn usage(&self) -> BufferUse {
         self.usage
+    }
+
+    /// Whether a window of `bytes` can stand at `offset`.
+    pub(super) fn fits_window(&self, offset: u32, bytes: u32) -> bool {
+        let aligned = offset.is_multiple_of(self.device.uniform_alignment());
+        let limit = self.device.limits.max_uniform_buffer_range;
+        aligned && bytes <= limit && u64::from(offset) + u64::from(bytes) <= self.bytes
     }
 
     /// The bytes of a readback buffer.

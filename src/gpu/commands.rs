@@ -300,6 +300,11 @@ pub struct Recorded<'a> {
 }
 
 impl Recorded<'_> {
+    /// Throws the commands away; returns what was recorded.
+    pub fn discard(mut self) -> Vec<PassCounts> {
+        std::mem::take(&mut self.recorder.passes)
+    }
+
     /// Submits and waits until the device is idle; returns what was recorded.
     ///
     /// # Errors

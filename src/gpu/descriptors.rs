@@ -1,6 +1,7 @@
-//! What is the one descriptor set, and what does it hold?
+//! What does a descriptor set hold, and what may a shader find at each binding?
 //!
-//! One layout, one set, bound once a pass: whatever differs between materials is data behind it.
+//! The renderer has one set, bound once a pass: whatever differs between materials is data behind it. The
+//! benchmark has more, to say what they cost.
 
 use std::sync::Arc;
 
@@ -18,6 +19,8 @@ use super::texture_array::TextureArray;
 pub enum BindingKind {
     /// A uniform block.
     Uniform,
+    /// A window on a buffer of uniform blocks, which is moved when the set is bound. At most one in a set.
+    UniformWindow,
     /// A read-only storage block.
     Storage,
     /// A `texture2DArray`, of textures or of depth; seen by the fragment stage alone.
@@ -30,6 +33,7 @@ impl BindingKind {
     fn vulkan(self) -> vk::DescriptorType {
         match self {
             Self::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
+            Self::UniformWindow => vk::DescriptorType::UNIFORM_BUFFER_DYNAMIC,
             Self::Storage => vk::DescriptorType::STORAGE_BUFFER,
             Self::Texture => vk::DescriptorType::SAMPLED_IMAGE,
             Self::Sampler => vk::DescriptorType::SAMPLER,
@@ -38,7 +42,7 @@ impl BindingKind {
 
     fn stages(self) -> vk::ShaderStageFlags {
         match self {
-            Self::Uniform | Self::Storage => {
+            Self::Uniform | Self::UniformWindow | Self::Storage => {
                 vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT
             }
             // The barriers of `ImageUse::ShaderRead` wait for no other stage.
@@ -47,10 +51,12 @@ impl BindingKind {
     }
 }
 
-/// How many of a kind one stage may see on every device (Vulkan 1.3, "Required Limits").
+/// How many of a kind one stage may see on every device (Vulkan 1.3, "Required Limits"); of windows one, so
+/// that binding a set takes one offset.
 fn of_a_kind(kind: BindingKind) -> usize {
     match kind {
         BindingKind::Uniform => 12,
+        BindingKind::UniformWindow => 1,
         BindingKind::Storage => 4,
         BindingKind::Texture | BindingKind::Sampler => 16,
     }
@@ -65,10 +71,9 @@ pub struct Binding {
     pub kind: BindingKind,
 }
 
-/// The layout of the set and of the pipelines that use it.
+/// The layout of a set.
 pub struct SetLayout {
     pub(super) raw: vk::DescriptorSetLayout,
-    pub(super) pipeline_layout: vk::PipelineLayout,
     bindings: Vec<Binding>,
     device: Arc<Device>,
 }
@@ -77,9 +82,7 @@ impl SetLayout {
     pub(super) fn is_of(&self, device: &Arc<Device>) -> bool {
         Arc::ptr_eq(&self.device, device)
     }
-}
 
-impl SetLayout {
     /// The layout of `bindings`.
     ///
     /// # Panics
@@ -111,33 +114,33 @@ impl SetLayout {
         // SAFETY: `info` points at `entries`, alive until the call returns.
         let raw = unsafe { device.raw.create_descriptor_set_layout(&info, None) }
             .named("vkCreateDescriptorSetLayout")?;
-        let layouts = [raw];
-        let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts);
-        // SAFETY: as above.
-        let pipeline_layout = unsafe { device.raw.create_pipeline_layout(&info, None) }
-            .named("vkCreatePipelineLayout")
-            .inspect_err(|_| {
-                // SAFETY: nothing uses the layout yet.
-                unsafe { device.raw.destroy_descriptor_set_layout(raw, None) };
-            })?;
         device.name(raw, name);
-        device.name(pipeline_layout, name);
         Ok(Arc::new(Self {
             raw,
-            pipeline_layout,
             bindings: bindings.to_vec(),
             device: Arc::clone(device),
         }))
+    }
+
+    /// Asserts that binding `i` can be `resources[i]`.
+    fn check(&self, name: &str, resources: &[Resource]) {
+        let bindings = &self.bindings;
+        assert_eq!(
+            resources.len(),
+            bindings.len(),
+            "{name}: one resource a binding"
+        );
+        for (resource, binding) in resources.iter().zip(bindings) {
+            let fits = resource.fits(binding.kind) && resource.is_of(&self.device);
+            assert!(fits, "{name}: binding {}", binding.slot);
+        }
     }
 }
 
 impl Drop for SetLayout {
     fn drop(&mut self) {
-        // SAFETY: sets and pipelines hold an `Arc` of their layout, so none is left.
+        // SAFETY: sets and pipeline layouts hold an `Arc` of it, so none is left.
         unsafe {
-            self.device
-                .raw
-                .destroy_pipeline_layout(self.pipeline_layout, None);
             self.device
                 .raw
                 .destroy_descriptor_set_layout(self.raw, None);
@@ -150,6 +153,8 @@ impl Drop for SetLayout {
 pub enum Resource {
     /// A uniform or storage block.
     Buffer(Arc<Buffer>),
+    /// So many bytes of a buffer of uniform blocks, at a `UniformWindow` binding.
+    Window(Arc<Buffer>, u32),
     /// Textures, at a `Texture` binding.
     Texture(Arc<TextureArray>),
     /// Depth, at a `Texture` binding; the passes that draw with the set name it in their `reads`.
@@ -166,6 +171,11 @@ impl Resource {
                 (BufferUse::Uniform, BindingKind::Uniform)
                     | (BufferUse::Storage, BindingKind::Storage)
             ),
+            Self::Window(buffer, bytes) => {
+                kind == BindingKind::UniformWindow
+                    && buffer.usage() == BufferUse::UniformWindows
+                    && buffer.fits_window(0, *bytes)
+            }
             Self::Texture(_) | Self::Depth(_) => kind == BindingKind::Texture,
             Self::Sampler(_) => kind == BindingKind::Sampler,
         }
@@ -173,7 +183,7 @@ impl Resource {
 
     fn is_of(&self, device: &Arc<Device>) -> bool {
         match self {
-            Self::Buffer(buffer) => buffer.is_of(device),
+            Self::Buffer(buffer) | Self::Window(buffer, _) => buffer.is_of(device),
             Self::Texture(array) => array.is_of(device),
             Self::Depth(array) => array.is_of(device),
             Self::Sampler(sampler) => sampler.is_of(device),
@@ -187,6 +197,10 @@ impl Resource {
         let sampled = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
         match self {
             Self::Buffer(held) => ([buffer.buffer(held.raw)], [image]),
+            Self::Window(held, bytes) => {
+                let buffer = buffer.buffer(held.raw).range(u64::from(*bytes));
+                ([buffer], [image])
+            }
             Self::Texture(array) => {
                 let image = image.image_view(array.view).image_layout(sampled);
                 ([buffer], [image])
@@ -200,12 +214,12 @@ impl Resource {
     }
 }
 
-/// The set, with what it points at. Dropped: pool and set, then what it points at, then layout.
+/// The set, with what it points at. Dropped: what it points at, its layout, and the pool with the last of its sets.
 pub struct DescriptorSet {
     pub(super) raw: vk::DescriptorSet,
-    pool: vk::DescriptorPool,
     resources: Vec<Resource>,
     pub(super) layout: Arc<SetLayout>,
+    _pool: Arc<Pool>,
 }
 
 impl DescriptorSet {
@@ -217,37 +231,58 @@ impl DescriptorSet {
     /// # Errors
     /// The driver fails.
     pub fn new(layout: &Arc<SetLayout>, name: &str, resources: &[Resource]) -> Result<Self, Error> {
-        assert_eq!(
-            resources.len(),
-            layout.bindings.len(),
-            "{name}: one resource a binding"
-        );
-        for (resource, binding) in resources.iter().zip(&layout.bindings) {
-            let fits = resource.fits(binding.kind) && resource.is_of(&layout.device);
-            assert!(fits, "{name}: binding {}", binding.slot);
+        let mut sets = Self::several(layout, name, &[resources.to_vec()])?;
+        Ok(sets.swap_remove(0))
+    }
+
+    /// A set for each of `contents`, out of one pool; at least one.
+    ///
+    /// # Panics
+    /// As `new`, or there are no contents.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn several(
+        layout: &Arc<SetLayout>,
+        name: &str,
+        contents: &[Vec<Resource>],
+    ) -> Result<Vec<Self>, Error> {
+        for resources in contents {
+            layout.check(name, resources);
         }
-        let device = &layout.device;
-        let pool = create_pool(device, &layout.bindings)?;
-        let layouts = [layout.raw];
+        let pool = Arc::new(Pool::new(layout, contents.len())?);
+        let layouts = vec![layout.raw; contents.len()];
         let info = vk::DescriptorSetAllocateInfo::default()
-            .descriptor_pool(pool)
+            .descriptor_pool(pool.raw)
             .set_layouts(&layouts);
-        // SAFETY: the pool was made for exactly this set, and nobody else has it.
-        let sets = unsafe { device.raw.allocate_descriptor_sets(&info) }
-            .named("vkAllocateDescriptorSets")
-            .inspect_err(|_| {
-                // SAFETY: the pool has no sets.
-                unsafe { device.raw.destroy_descriptor_pool(pool, None) };
-            })?;
-        let set = Self {
-            raw: sets[0],
-            pool,
-            resources: resources.to_vec(),
-            layout: Arc::clone(layout),
-        };
-        device.name(set.raw, name);
-        set.point_at();
-        Ok(set)
+        // SAFETY: the pool was made for exactly these sets, and nobody else has it.
+        let raw = unsafe { layout.device.raw.allocate_descriptor_sets(&info) }
+            .named("vkAllocateDescriptorSets")?;
+        let sets = raw.into_iter().zip(contents).map(|(raw, resources)| {
+            let set = Self {
+                raw,
+                resources: resources.clone(),
+                layout: Arc::clone(layout),
+                _pool: Arc::clone(&pool),
+            };
+            layout.device.name(set.raw, name);
+            set.point_at();
+            set
+        });
+        Ok(sets.collect())
+    }
+
+    /// Its layout.
+    pub fn layout(&self) -> &Arc<SetLayout> {
+        &self.layout
+    }
+
+    /// What its window looks at, if it has one.
+    pub(super) fn window(&self) -> Option<(&Buffer, u32)> {
+        self.resources.iter().find_map(|resource| match resource {
+            Resource::Window(buffer, bytes) => Some((&**buffer, *bytes)),
+            _ => None,
+        })
     }
 
     /// The depth that a pass with this set may sample.
@@ -279,31 +314,42 @@ impl DescriptorSet {
     }
 }
 
-impl Drop for DescriptorSet {
-    fn drop(&mut self) {
-        // SAFETY: recorders borrow the set until the device is done with it; the pool takes the
-        // set with it.
-        unsafe {
-            self.layout
-                .device
-                .raw
-                .destroy_descriptor_pool(self.pool, None)
-        };
+/// Where sets of one layout come from.
+struct Pool {
+    raw: vk::DescriptorPool,
+    device: Arc<Device>,
+}
+
+impl Pool {
+    /// A pool for `count` sets.
+    fn new(layout: &SetLayout, count: usize) -> Result<Self, Error> {
+        let count = u32::try_from(count).unwrap_or(u32::MAX);
+        assert!(count > 0, "a pool of no sets");
+        let sizes: Vec<_> = layout
+            .bindings
+            .iter()
+            .map(|binding| {
+                vk::DescriptorPoolSize::default()
+                    .ty(binding.kind.vulkan())
+                    .descriptor_count(count)
+            })
+            .collect();
+        let info = vk::DescriptorPoolCreateInfo::default()
+            .max_sets(count)
+            .pool_sizes(&sizes);
+        // SAFETY: `info` points at `sizes`, alive until the call returns.
+        let raw = unsafe { layout.device.raw.create_descriptor_pool(&info, None) }
+            .named("vkCreateDescriptorPool")?;
+        Ok(Self {
+            raw,
+            device: Arc::clone(&layout.device),
+        })
     }
 }
 
-fn create_pool(device: &Device, bindings: &[Binding]) -> Result<vk::DescriptorPool, Error> {
-    let sizes: Vec<_> = bindings
-        .iter()
-        .map(|binding| {
-            vk::DescriptorPoolSize::default()
-                .ty(binding.kind.vulkan())
-                .descriptor_count(1)
-        })
-        .collect();
-    let info = vk::DescriptorPoolCreateInfo::default()
-        .max_sets(1)
-        .pool_sizes(&sizes);
-    // SAFETY: `info` points at `sizes`, alive until the call returns.
-    unsafe { device.raw.create_descriptor_pool(&info, None) }.named("vkCreateDescriptorPool")
+impl Drop for Pool {
+    fn drop(&mut self) {
+        // SAFETY: its sets hold an `Arc` of it, so none is left that a recorder could borrow.
+        unsafe { self.device.raw.destroy_descriptor_pool(self.raw, None) };
+    }
 }

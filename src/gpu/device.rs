@@ -33,6 +33,7 @@ pub struct Device {
     /// The largest buffer, and the largest piece of memory behind one.
     pub(super) max_buffer_bytes: u64,
     pub(super) preserves_nan: bool,
+    draws_indirect: bool,
     pub(super) cache_key: CacheKey,
     samples: Vec<Samples>,
     info: DeviceInfo,
@@ -66,7 +67,8 @@ impl Device {
         }
         let (queue_family, family) = requirements::graphics_queue(&instance.raw, physical)
             .ok_or_else(|| unsuitable("a graphics queue".into()))?;
-        let raw = create(instance, physical, queue_family)?;
+        let draws_indirect = requirements::draws_indirect(&instance.raw, physical);
+        let raw = create(instance, physical, queue_family, draws_indirect)?;
         // SAFETY: family and index are those the device was created with.
         let queue = unsafe { raw.get_device_queue(queue_family, 0) };
         let allocator = match create_allocator(instance, &raw, physical) {
@@ -90,6 +92,7 @@ impl Device {
             timestamp_bits: family.timestamp_valid_bits,
             max_buffer_bytes: facts.max_buffer_bytes,
             preserves_nan: facts.preserves_nan,
+            draws_indirect,
             cache_key: facts.cache_key,
             samples: requirements::sample_counts(&instance.raw, physical),
             info,
@@ -173,6 +176,22 @@ impl Device {
             }
         }
         Ok(())
+    }
+
+    /// A window on uniform blocks can stand at multiples of this, bytes: a power of two, at most 256.
+    pub fn uniform_alignment(&self) -> u32 {
+        let alignment = self.limits.min_uniform_buffer_offset_alignment;
+        u32::try_from(alignment).unwrap_or(u32::MAX).max(1)
+    }
+
+    /// Whether one command can draw many objects, each of its own instance.
+    pub fn draws_indirect(&self) -> bool {
+        self.draws_indirect
+    }
+
+    /// Memory that its buffers and images take, bytes.
+    pub fn memory_in_use(&self) -> u64 {
+        self.allocator().generate_report().total_allocated_bytes
     }
 
     /// Corners are snapped to 2^-bits of a pixel before they are filled; at least 4.
@@ -364,6 +383,7 @@ fn create(
     instance: &Instance,
     physical: vk::PhysicalDevice,
     queue_family: u32,
+    draws_indirect: bool,
 ) -> Result<ash::Device, Error> {
     let priorities = [1.0];
     let queues = [vk::DeviceQueueCreateInfo::default()
@@ -373,7 +393,9 @@ fn create(
     // safe function could not take one.
     let core = vk::PhysicalDeviceFeatures::default()
         .robust_buffer_access(true)
-        .full_draw_index_uint32(true);
+        .full_draw_index_uint32(true)
+        .multi_draw_indirect(draws_indirect)
+        .draw_indirect_first_instance(draws_indirect);
     let mut core_13 = vk::PhysicalDeviceVulkan13Features::default()
         .dynamic_rendering(true)
         .synchronization2(true)

@@ -7,14 +7,15 @@
 //! asserted.
 //!
 //! ```text
-//! Instance <- Device <- Buffer, Image, TextureArray, DepthArray, Sampler, SetLayout, PipelineCache,
-//!                       Timestamps, Recorder
-//!                       SetLayout <- DescriptorSet, Pipeline
+//! Instance <- Device <- Buffer, IndirectDraws, Image, TextureArray, DepthArray, Sampler, SetLayout,
+//!                       PipelineCache, Timestamps, Recorder
+//!                       SetLayout <- DescriptorSet, PipelineLayout <- Pipeline
 //! ```
 //!
 //! Absent on purpose: several queues, asynchronous frames, render pass objects.
 
 mod barriers;
+mod bound;
 mod buffer;
 mod canary;
 mod commands;
@@ -25,11 +26,13 @@ mod error;
 mod format;
 mod image;
 mod image_memory;
+mod indirect;
 mod instance;
 mod pass;
 mod pass_info;
 mod pipeline;
 mod pipeline_cache;
+mod pipeline_layout;
 pub mod requirements;
 mod sampler;
 #[cfg(test)]
@@ -52,11 +55,13 @@ pub use device::Device;
 pub use error::{Error, VulkanResult, install_line};
 pub use format::{Samples, TargetFormat, TextureFormat, VertexFormat};
 pub use image::{Image, ImageInfo};
+pub use indirect::{DrawCommand, IndirectDraws};
 pub use instance::{API_VERSION, Instance, Validation};
 pub use pass::{Cull, Pass, PassCounts};
 pub use pass_info::{DepthPassInfo, PassInfo};
-pub use pipeline::{Attribute, Constant, Pipeline, PipelineInfo, Rate, Spirv, Targets};
+pub use pipeline::{Attribute, Constant, Output, Pipeline, PipelineInfo, Rate, Spirv, Targets};
 pub use pipeline_cache::PipelineCache;
+pub use pipeline_layout::PipelineLayout;
 pub use sampler::{Filter, Sampler};
 pub use selection::{DeviceInfo, DeviceKind, DeviceSelector, choose};
 pub use survey::driver_files;

@@ -8,13 +8,15 @@ use std::sync::Arc;
 
 use ash::vk;
 
+use super::bound::Bound;
 use super::buffer::{Buffer, BufferUse};
 use super::commands::Recorder;
-use super::depth_array::DepthArray;
 use super::descriptors::DescriptorSet;
 use super::device::Device;
+use super::indirect::{self, IndirectDraws};
 use super::pass_info::Rendering;
 use super::pipeline::{Pipeline, Targets};
+use super::pipeline_layout::PUSH_STAGES;
 
 /// What one pass recorded.
 #[derive(Clone, PartialEq, Eq, Debug, serde::Serialize)]
@@ -27,6 +29,8 @@ pub struct PassCounts {
     pub pipeline_binds: u64,
     /// Descriptor set binds.
     pub descriptor_set_binds: u64,
+    /// Updates of push constants.
+    pub push_constants: u64,
     /// Changes of the faces that are culled.
     pub cull_changes: u64,
 }
@@ -42,25 +46,12 @@ pub enum Cull {
     Back,
 }
 
-/// What a pass has bound; a draw without all of it would be undefined.
-#[derive(Default)]
-struct Bound {
-    pipeline: Option<(usize, vk::PipelineLayout)>,
-    /// Whether the pipeline has a fragment stage, the only one that sees textures.
-    fragments: bool,
-    vertex_buffers: usize,
-    set: Option<vk::PipelineLayout>,
-    /// Whether the set holds depth that the pass does not read.
-    unread: bool,
-    indices: Option<u64>,
-}
-
 /// A pass in the making.
 pub struct Pass<'r, 'a> {
     recorder: &'r mut Recorder<'a>,
     rendering: Rendering<'a>,
     counts: PassCounts,
-    bound: Bound,
+    bound: Bound<'a>,
     cull: Cull,
 }
 
@@ -79,6 +70,7 @@ impl<'r, 'a> Pass<'r, 'a> {
                 draws: 0,
                 pipeline_binds: 0,
                 descriptor_set_binds: 0,
+                push_constants: 0,
                 cull_changes: 0,
             },
             bound: Bound::default(),
@@ -129,34 +121,70 @@ impl<'r, 'a> Pass<'r, 'a> {
             );
         }
         self.counts.pipeline_binds += 1;
-        let layout = pipeline.layout.pipeline_layout;
-        self.bound.pipeline = Some((pipeline.vertex_buffers(), layout));
-        self.bound.fragments = pipeline.has_fragments();
+        self.bound.pipeline(pipeline);
     }
 
-    /// Binds the set.
+    /// Binds a set at its place in the layout of the pipeline that is bound. It stays bound for every pipeline of
+    /// that layout.
     ///
     /// # Panics
-    /// It is another device's.
-    pub fn bind_set(&mut self, set: &'a DescriptorSet) {
-        assert!(set.layout.is_of(self.device()), "a set of this device");
-        // SAFETY: the set was made for this layout; the recorder borrows it.
+    /// No pipeline is bound, its layout has another set there, or the set has a window.
+    pub fn bind_set(&mut self, place: u32, set: &'a DescriptorSet) {
+        assert!(set.window().is_none(), "a set without a window");
+        self.record_set(place, set, &[]);
+    }
+
+    /// Binds a set with its window at `offset`, bytes.
+    ///
+    /// # Panics
+    /// As `bind_set`, but the set must have a window; or it cannot stand there.
+    pub fn bind_set_at(&mut self, place: u32, set: &'a DescriptorSet, offset: u32) {
+        let fits = set
+            .window()
+            .is_some_and(|(buffer, bytes)| buffer.fits_window(offset, bytes));
+        assert!(fits, "a set whose window can stand at {offset}");
+        self.record_set(place, set, &[offset]);
+    }
+
+    fn record_set(&mut self, place: u32, set: &'a DescriptorSet, offsets: &[u32]) {
+        self.bound.set(place as usize, set, self.rendering.reads);
+        // SAFETY: the set is of the layout's own set layout, which `bound` checked, and so of this device, and its
+        // window fits; the recorder borrows it.
         unsafe {
             self.device().raw.cmd_bind_descriptor_sets(
                 self.recorder.commands,
                 vk::PipelineBindPoint::GRAPHICS,
-                set.layout.pipeline_layout,
-                0,
+                self.bound.layout().raw,
+                place,
                 &[set.raw],
-                &[],
+                offsets,
             );
         }
         self.counts.descriptor_set_binds += 1;
-        self.bound.set = Some(set.layout.pipeline_layout);
-        let reads = self.rendering.reads;
-        let is_read =
-            |array: &Arc<DepthArray>| reads.iter().any(|read| std::ptr::eq(&**array, *read));
-        self.bound.unread = !set.depth_arrays().all(is_read);
+    }
+
+    /// Sets all push constants, for every pipeline of the bound one's layout.
+    ///
+    /// # Panics
+    /// No pipeline is bound, or its layout has another number of them.
+    pub fn push_constants(&mut self, bytes: &[u8]) {
+        let layout = self.bound.layout();
+        assert!(
+            bytes.len() == layout.push_bytes as usize && !bytes.is_empty(),
+            "the push constants of the pipeline's layout"
+        );
+        // SAFETY: the layout has one range, of these stages and this many bytes.
+        unsafe {
+            self.device().raw.cmd_push_constants(
+                self.recorder.commands,
+                layout.raw,
+                PUSH_STAGES,
+                0,
+                bytes,
+            );
+        }
+        self.counts.push_constants += 1;
+        self.bound.pushed();
     }
 
     /// Binds one buffer an attribute, and the indices.
@@ -177,8 +205,7 @@ impl<'r, 'a> Pass<'r, 'a> {
             device.cmd_bind_vertex_buffers(commands, 0, &raw, &offsets);
             device.cmd_bind_index_buffer(commands, indices.raw, 0, vk::IndexType::UINT32);
         }
-        self.bound.vertex_buffers = vertices.len();
-        self.bound.indices = Some(indices.bytes() / 4);
+        self.bound.geometry(vertices.len(), indices.bytes());
     }
 
     /// Draws a range of the indices, each plus `vertex_offset`, as instance `instance`.
@@ -188,31 +215,51 @@ impl<'r, 'a> Pass<'r, 'a> {
     /// Something is not bound, the range leaves the index buffer, or a fragment shader would see
     /// depth that is not among the pass's `reads`.
     pub fn draw(&mut self, indices: Range<u32>, vertex_offset: i32, instance: u32) {
-        let bound = &self.bound;
-        let wanted = bound.set.map(|layout| (bound.vertex_buffers, layout));
-        assert!(
-            wanted.is_some() && bound.pipeline == wanted,
-            "a pipeline, a set of its layout and its vertex buffers are bound"
-        );
-        assert!(
-            !(bound.fragments && bound.unread),
-            "the pass reads the depth that its set holds"
-        );
-        let fits = bound
-            .indices
-            .is_some_and(|count| u64::from(indices.end) <= count);
-        assert!(fits, "the index range is in the index buffer");
         assert!(instance < u32::MAX, "the instance after it can be counted");
-        // SAFETY: pipeline, set and buffers are bound; the index range was checked; vertex and
-        // instance fetches are robust (`Device` turns robustBufferAccess on).
+        self.draw_instances(indices, vertex_offset, instance..instance + 1);
+    }
+
+    /// The same as each of several instances, by one command.
+    ///
+    /// # Panics
+    /// As `draw`.
+    pub fn draw_instances(
+        &mut self,
+        indices: Range<u32>,
+        vertex_offset: i32,
+        instances: Range<u32>,
+    ) {
+        self.bound.check(indices.end);
+        // SAFETY: all is bound and the index range was checked; vertex and instance fetches are robust (`Device`
+        // turns robustBufferAccess on).
         unsafe {
             self.recorder.device.raw.cmd_draw_indexed(
                 self.recorder.commands,
                 indices.end.saturating_sub(indices.start),
-                1,
+                instances.end.saturating_sub(instances.start),
                 indices.start,
                 vertex_offset,
-                instance,
+                instances.start,
+            );
+        }
+        self.counts.draws += 1;
+    }
+
+    /// Draws objects whose commands lie on the device, by one command.
+    ///
+    /// # Panics
+    /// As `draw`, or they are another device's.
+    pub fn draw_indirect(&mut self, draws: &'a IndirectDraws) {
+        self.bound.check(draws.indices_end);
+        assert!(draws.buffer.is_of(self.device()), "draws of this device");
+        // SAFETY: as above; `IndirectDraws` checked the commands, that the device can, and its limit.
+        unsafe {
+            self.recorder.device.raw.cmd_draw_indexed_indirect(
+                self.recorder.commands,
+                draws.buffer.raw,
+                0,
+                draws.count,
+                indirect::STRIDE,
             );
         }
         self.counts.draws += 1;

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use ash::vk;
 
-use super::descriptors::SetLayout;
 use super::device::Device;
 use super::error::{Error, Named};
 use super::format::{Samples, TargetFormat, VertexFormat};
 use super::pipeline_cache::PipelineCache;
+use super::pipeline_layout::PipelineLayout;
 use super::spirv;
 
 /// One vertex attribute, in a buffer of its own.
@@ -71,16 +71,30 @@ pub struct PipelineInfo<'a> {
     pub constants: &'a [Constant],
     /// What it draws to.
     pub targets: Targets,
+    /// What becomes of its fragments.
+    pub output: Output,
+}
+
+/// What becomes of a pipeline's fragments.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub enum Output {
+    /// They lie over what is there: premultiplied (ONE, ONE_MINUS_SRC_ALPHA), so that one pipeline serves opaque
+    /// materials and glass.
+    #[default]
+    Blended,
+    /// They take its place.
+    Replacing,
+    /// There are none: triangles end before the rasteriser.
+    Discarded,
 }
 
 /// A graphics pipeline; it holds the layout that it was made for.
 ///
 /// Triangle list; counter-clockwise faces are front; depth tested with GREATER and written, since
-/// depth is reversed; always blended, premultiplied (ONE, ONE_MINUS_SRC_ALPHA), so that one pipeline
-/// serves opaque materials and glass.
+/// depth is reversed.
 pub struct Pipeline {
     pub(super) raw: vk::Pipeline,
-    pub(super) layout: Arc<SetLayout>,
+    pub(super) layout: Arc<PipelineLayout>,
     attributes: usize,
     has_fragments: bool,
     targets: Targets,
@@ -98,7 +112,7 @@ impl Pipeline {
     /// The driver fails.
     pub fn new(
         device: &Arc<Device>,
-        layout: &Arc<SetLayout>,
+        layout: &Arc<PipelineLayout>,
         cache: &PipelineCache,
         info: &PipelineInfo,
     ) -> Result<Self, Error> {
@@ -184,7 +198,7 @@ impl Drop for Module<'_> {
 
 fn create(
     device: &Device,
-    layout: &SetLayout,
+    layout: &PipelineLayout,
     cache: &PipelineCache,
     info: &PipelineInfo,
     vertex: &Module,
@@ -210,12 +224,12 @@ fn create(
     let viewport = vk::PipelineViewportStateCreateInfo::default()
         .viewport_count(1)
         .scissor_count(1);
-    let raster = rasterization();
+    let raster = rasterization(info.output);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(info.targets.samples.vulkan());
     let depth = reversed_depth();
     let colors: Vec<_> = info.targets.color.iter().map(|c| c.vulkan()).collect();
-    let attachments = vec![premultiplied(); colors.len()];
+    let attachments = vec![blending(info.output); colors.len()];
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
     let dynamic_states = [
         vk::DynamicState::VIEWPORT,
@@ -236,7 +250,7 @@ fn create(
         .depth_stencil_state(&depth)
         .color_blend_state(&blend)
         .dynamic_state(&dynamic)
-        .layout(layout.pipeline_layout)
+        .layout(layout.raw)
         .push_next(&mut rendering);
     // SAFETY: every pointer lives until the call returns; the cache is locked by `with_raw`.
     let made = cache.with_raw(|cache| unsafe {
@@ -303,10 +317,11 @@ fn vertex_layout(
 }
 
 /// Which faces are culled, each pass says.
-fn rasterization() -> vk::PipelineRasterizationStateCreateInfo<'static> {
+fn rasterization(output: Output) -> vk::PipelineRasterizationStateCreateInfo<'static> {
     vk::PipelineRasterizationStateCreateInfo::default()
         .polygon_mode(vk::PolygonMode::FILL)
         .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .rasterizer_discard_enable(output == Output::Discarded)
         .line_width(1.0)
 }
 
@@ -317,9 +332,9 @@ fn reversed_depth() -> vk::PipelineDepthStencilStateCreateInfo<'static> {
         .depth_compare_op(vk::CompareOp::GREATER)
 }
 
-fn premultiplied() -> vk::PipelineColorBlendAttachmentState {
+fn blending(output: Output) -> vk::PipelineColorBlendAttachmentState {
     vk::PipelineColorBlendAttachmentState::default()
-        .blend_enable(true)
+        .blend_enable(output == Output::Blended)
         .src_color_blend_factor(vk::BlendFactor::ONE)
         .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
         .color_blend_op(vk::BlendOp::ADD)

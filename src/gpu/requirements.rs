@@ -63,6 +63,13 @@ fn missing_features(instance: &ash::Instance, device: vk::PhysicalDevice) -> Vec
     .collect()
 }
 
+/// Whether one command can draw many objects, each of its own instance. No frame needs it.
+pub(super) fn draws_indirect(instance: &ash::Instance, device: vk::PhysicalDevice) -> bool {
+    // SAFETY: `device` comes from `instance`.
+    let core = unsafe { instance.get_physical_device_features(device) };
+    core.multi_draw_indirect == vk::TRUE && core.draw_indirect_first_instance == vk::TRUE
+}
+
 /// The first queue family that draws; it also computes and copies, as Vulkan promises.
 pub(super) fn graphics_queue(
     instance: &ash::Instance,

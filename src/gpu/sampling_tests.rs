@@ -6,6 +6,8 @@ use std::sync::Arc;
 
 use super::*;
 
+mod guards;
+
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Corner positions from a buffer; depth is the same for all.
@@ -51,6 +53,7 @@ fn spirv(source: &str, stage: glslang::ShaderStage) -> Result<Spirv, Box<dyn std
 struct Bench {
     device: Arc<Device>,
     layout: Arc<SetLayout>,
+    pipelines: Arc<PipelineLayout>,
     cache: PipelineCache,
     corners: Buffer,
     indices: Buffer,
@@ -67,8 +70,10 @@ impl Bench {
             binding(1, BindingKind::Sampler),
         ];
         let buffer = |usage, bytes| Buffer::with_data(&device, "geometry", usage, bytes);
+        let layout = SetLayout::new(&device, "bench", &bindings)?;
         Ok(Self {
-            layout: SetLayout::new(&device, "bench", &bindings)?,
+            pipelines: PipelineLayout::new(&device, "bench", &[&layout], 0)?,
+            layout,
             cache: PipelineCache::open(&device, None)?,
             corners: buffer(BufferUse::Vertices, bytemuck::cast_slice(&CORNERS))?,
             indices: buffer(BufferUse::Indices, bytemuck::cast_slice(&INDICES))?,
@@ -113,10 +118,11 @@ impl Bench {
                 depth: requirements::DEPTH,
                 samples: Samples::One,
             },
+            output: Output::Blended,
         };
         Ok(Pipeline::new(
             &self.device,
-            &self.layout,
+            &self.pipelines,
             &self.cache,
             &info,
         )?)
@@ -198,7 +204,7 @@ impl Canvas {
         before(&mut recorder);
         recorder.pass(&info, |pass| {
             pass.bind_pipeline(&self.pipeline);
-            pass.bind_set(set);
+            pass.bind_set(0, set);
             pass.bind_geometry(&[&bench.corners, &self.constant], &bench.indices);
             pass.draw(WHOLE, 0, 0);
         });
@@ -423,7 +429,7 @@ fn a_later_pass_samples_the_depth_that_was_drawn_to_each_layer() -> Outcome {
             recorder.depth_pass(&pass_to(&array, layer), |pass| {
                 pass.set_cull([Cull::Back, Cull::None][layer as usize]);
                 pass.bind_pipeline(&pipeline);
-                pass.bind_set(&set);
+                pass.bind_set(0, &set);
                 pass.bind_geometry(&[&bench.corners, depth], &bench.indices);
                 pass.draw(UPPER_HALF, 0, 0);
             });
@@ -490,7 +496,7 @@ fn back_faces_are_culled_only_where_asked() -> Outcome {
             recorder.depth_pass(&pass_to(&array, layer), |pass| {
                 pass.set_cull(cull);
                 pass.bind_pipeline(&pipeline);
-                pass.bind_set(&set);
+                pass.bind_set(0, &set);
                 pass.bind_geometry(&[&bench.corners, &depth], &turned);
                 pass.draw(0..6, 0, 0);
             });
@@ -505,7 +511,7 @@ fn back_faces_are_culled_only_where_asked() -> Outcome {
 }
 
 #[test]
-#[should_panic(expected = "the pass reads the depth that its set holds")]
+#[should_panic(expected = "the pass reads the depth that set 0 holds")]
 fn depth_that_a_pass_does_not_name_cannot_be_sampled_in_it() {
     let outcome = || -> Outcome {
         let bench = Bench::new()?;
@@ -535,8 +541,9 @@ fn colour_without_a_fragment_stage_is_refused() {
                 depth: requirements::DEPTH,
                 samples: Samples::One,
             },
+            output: Output::Blended,
         };
-        Pipeline::new(&bench.device, &bench.layout, &bench.cache, &info)?;
+        Pipeline::new(&bench.device, &bench.pipelines, &bench.cache, &info)?;
         Ok(())
     };
     if let Err(error) = outcome() {

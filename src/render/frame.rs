@@ -239,6 +239,7 @@ fn by_name(passes: Vec<PassCounts>) -> Vec<PassCounts> {
                 row.draws += pass.draws;
                 row.pipeline_binds += pass.pipeline_binds;
                 row.descriptor_set_binds += pass.descriptor_set_binds;
+                row.push_constants += pass.push_constants;
                 row.cull_changes += pass.cull_changes;
             }
             _ => rows.push(pass),

@@ -8,8 +8,8 @@ use super::effects::States;
 use super::geometry::Attributes;
 use super::variant::Variant;
 use crate::gpu::{
-    Attribute, Constant, Device, Error, Pipeline, PipelineCache, PipelineInfo, Samples, SetLayout,
-    Spirv, Targets, requirements,
+    Attribute, Constant, Device, Error, Output, Pipeline, PipelineCache, PipelineInfo,
+    PipelineLayout, Samples, Spirv, Targets, requirements,
 };
 use crate::interface::reflected::constants;
 use crate::interface::spirv;
@@ -42,7 +42,7 @@ pub enum PassKey {
 }
 
 impl PipelineKey {
-    fn inputs(&self) -> Vec<Attribute> {
+    pub fn inputs(&self) -> Vec<Attribute> {
         match self.pass {
             PassKey::Surface { attributes, .. } => attributes.surface().into(),
             PassKey::Shadow { attributes, .. } => attributes.shadow().into(),
@@ -60,7 +60,7 @@ impl PipelineKey {
     }
 
     /// The constants of all stages; a stage passes over those that it does not have.
-    fn constants(&self, subpixel_bits: u32) -> Vec<Constant> {
+    pub fn constants(&self, subpixel_bits: u32) -> Vec<Constant> {
         let variant = match self.pass {
             PassKey::Surface { variant, .. } => variant,
             PassKey::Shadow { .. } => Variant::default(),
@@ -77,7 +77,7 @@ impl PipelineKey {
             .collect()
     }
 
-    fn targets(&self) -> Targets {
+    pub fn targets(&self) -> Targets {
         let (color, samples) = match self.pass {
             PassKey::Surface { samples, .. } => (Some(requirements::COLOR), samples),
             PassKey::Shadow { .. } => (None, Samples::One),
@@ -103,7 +103,7 @@ impl fmt::Display for PipelineKey {
 /// The pipelines of a device; they share one layout.
 pub struct Pipelines {
     device: Arc<Device>,
-    layout: Arc<SetLayout>,
+    layout: Arc<PipelineLayout>,
     cache: PipelineCache,
     made: Mutex<Vec<(PipelineKey, Arc<Pipeline>)>>,
 }
@@ -115,7 +115,7 @@ impl Pipelines {
     /// The driver fails.
     pub fn new(
         device: &Arc<Device>,
-        layout: &Arc<SetLayout>,
+        layout: &Arc<PipelineLayout>,
         cache_folder: Option<&Path>,
     ) -> Result<Self, Error> {
         Ok(Self {
@@ -154,6 +154,7 @@ impl Pipelines {
             attributes: &key.inputs(),
             constants: &key.constants(self.device.subpixel_bits()),
             targets: key.targets(),
+            output: Output::Blended,
         };
         Pipeline::new(&self.device, &self.layout, &self.cache, &info)
     }

@@ -12,7 +12,7 @@ use super::placeholders::Placeholders;
 use super::scene_buffers::BINDINGS;
 use super::uploaded::Uploaded;
 use super::variant::Variant;
-use crate::gpu::{self, Device, Samples, SetLayout};
+use crate::gpu::{self, Device, PipelineLayout, Samples, SetLayout};
 use crate::scene::Scene;
 
 /// How large, how smooth, by which published model, with which effects.
@@ -54,7 +54,7 @@ impl RenderError {
     }
 }
 
-/// The device, the layout that all its pipelines share, and what is made once for all scenes.
+/// The device, the layout of the one set, and what is made once for all scenes.
 pub struct Renderer {
     pub(super) device: Arc<Device>,
     pub(super) layout: Arc<SetLayout>,
@@ -69,8 +69,9 @@ impl Renderer {
     /// The driver fails.
     pub fn new(device: &Arc<Device>, cache_folder: Option<&Path>) -> Result<Self, gpu::Error> {
         let layout = SetLayout::new(device, "the set", &BINDINGS)?;
+        let pipeline_layout = PipelineLayout::new(device, "one set", &[&layout], 0)?;
         Ok(Self {
-            pipelines: Pipelines::new(device, &layout, cache_folder)?,
+            pipelines: Pipelines::new(device, &pipeline_layout, cache_folder)?,
             placeholders: Placeholders::new(device)?,
             layout,
             device: Arc::clone(device),
@@ -78,7 +79,7 @@ impl Renderer {
     }
 
     /// The device.
-    pub fn device(&self) -> &Device {
+    pub fn device(&self) -> &Arc<Device> {
         &self.device
     }
 

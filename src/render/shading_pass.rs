@@ -57,10 +57,12 @@ impl Shading<'_> {
     /// Records the pass: everything is bound once, and no state command stands between two draws of a batch.
     pub fn record<'r>(&'r self, recorder: &mut Recorder<'r>) {
         recorder.pass(&self.targets.pass(NAME, &self.reads), |pass| {
-            pass.bind_set(self.set);
             let mut bound = None;
-            for batch in self.batches {
+            for (number, batch) in self.batches.iter().enumerate() {
                 pass.bind_pipeline(&batch.pipeline);
+                if number == 0 {
+                    pass.bind_set(0, self.set);
+                }
                 if bound.replace(batch.attributes) != Some(batch.attributes) {
                     let vertices = self.geometry.vertices(batch.attributes);
                     pass.bind_geometry(&vertices, &self.geometry.indices);

@@ -50,7 +50,7 @@ impl ShadowPass {
             };
             recorder.depth_pass(&info, |pass| {
                 pass.bind_pipeline(&self.pipeline);
-                pass.bind_set(&self.set);
+                pass.bind_set(0, &self.set);
                 pass.bind_geometry(&geometry.outlines(self.attributes), &geometry.indices);
                 for draw in draws {
                     pass.draw(draw.indices.clone(), draw.vertex_offset, draw.instance);

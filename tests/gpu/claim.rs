@@ -87,6 +87,7 @@ fn one_bind_of_each_for_1_8_and_10_000_materials() {
                 draws: count as u64,
                 pipeline_binds: 1,
                 descriptor_set_binds: 1,
+                push_constants: 0,
                 cull_changes: 0,
             };
             assert_eq!(report.passes, [expected], "{count} materials, {lighting:?}");
