@@ -39,7 +39,7 @@ pub fn rust(entries: &[Entry], all: &Reflection) -> String {
     numbers(
         &mut text,
         "bindings",
-        "numbers in descriptor set 0",
+        "numbers in their descriptor set",
         &all.bindings,
     );
     numbers(&mut text, "vertex_inputs", "locations", &all.vertex_inputs);

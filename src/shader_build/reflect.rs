@@ -48,7 +48,7 @@ pub enum Integer {
 pub struct Reflection {
     /// By name. A struct that ends in a runtime array has no size and is left out; its elements are in.
     pub structs: BTreeMap<String, Struct>,
-    /// Binding numbers in set 0: a block by the name of the block, a texture or sampler by its own.
+    /// Binding numbers in their sets: a block by the name of the block, a texture or sampler by its own.
     pub bindings: BTreeMap<String, u32>,
     /// Locations of a vertex shader's inputs.
     pub vertex_inputs: BTreeMap<String, u32>,
@@ -62,7 +62,7 @@ pub struct Reflection {
 ///
 /// # Errors
 ///
-/// naga's errors, each at its own file and line; a struct laid out in two ways; a binding outside set 0.
+/// naga's errors, each at its own file and line; a struct laid out in two ways; a binding outside sets 0 and 1.
 pub fn reflect(expanded: &Expanded, stage: Stage) -> Result<Reflection, Vec<Error>> {
     let module = parse(expanded, stage)?;
     validate(expanded, &module)?;
@@ -132,9 +132,9 @@ fn globals(module: &Module, into: &mut Reflection) -> Result<(), String> {
             false => global.name.clone(),
         };
         let name = name.ok_or("a binding without a name")?;
-        if resource.group != 0 {
+        if resource.group > 1 {
             return Err(format!(
-                "`{name}` is in set {}: there is only set 0",
+                "`{name}` is in set {}: there are only 0, and 1 for what a draw has of its own",
                 resource.group
             ));
         }

@@ -332,9 +332,9 @@ fn a_struct_in_two_layouts_is_refused() {
 }
 
 #[test]
-fn another_set_is_refused() {
-    let body = "layout(set = 1, binding = 0, std140) uniform U { vec4 u; };\nvoid main() { colour = u; }\n";
-    Folder::new(&[("x.frag", &fragment(body))]).fails_at("x.frag", 1, "set 1");
+fn a_third_set_is_refused() {
+    let body = "layout(set = 2, binding = 0, std140) uniform U { vec4 u; };\nvoid main() { colour = u; }\n";
+    Folder::new(&[("x.frag", &fragment(body))]).fails_at("x.frag", 1, "set 2");
 }
 
 #[test]
