@@ -16,7 +16,7 @@ use crate::render::effects::{ALL, Build, EffectSet, Effects};
 use crate::render::{Renderer, Settings, Variant};
 use crate::report::{Bounds, BuildRow, EffectRow, EffectsReport, Program};
 use crate::scene::{self, LoadOptions, Scene};
-use crate::studies::{self, FirstDraw, FirstDrawError, Options};
+use crate::studies::{self, FirstDraw, Options, OwnProcessError};
 
 /// Options of `umber effects`.
 #[derive(clap::Args)]
@@ -190,7 +190,7 @@ fn with_first_draws(
     rows: Vec<BuildRow>,
 ) -> Result<Vec<BuildRow>, Failure> {
     let program =
-        std::env::current_exe().map_err(|error| Failure::from(FirstDrawError::from(error)))?;
+        std::env::current_exe().map_err(|error| Failure::from(OwnProcessError::from(error)))?;
     let mut options = vec!["--lighting".to_owned(), arguments.lighting.name()];
     for set in &arguments.set {
         options.extend(["--set".to_owned(), set.clone()]);
@@ -204,10 +204,10 @@ fn with_first_draws(
         arguments: options,
     };
     let measured = rows.into_iter().zip(Build::ALL).map(|(row, build)| {
-        let (cold, warm) = first_draw.measure(build)?;
+        let times = first_draw.measure(build)?;
         Ok(BuildRow {
-            first_draw_cold_ms: Some(cold),
-            first_draw_warm_ms: Some(warm),
+            first_draw_cold_ms: Some(times.cold),
+            first_draw_warm_ms: Some(times.warm),
             ..row
         })
     });

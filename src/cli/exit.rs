@@ -6,11 +6,14 @@ use std::process::ExitCode;
 use crate::gpu;
 use crate::render::RenderError;
 use crate::scene;
-use crate::studies::FirstDrawError;
+use crate::studies::OwnProcessError;
+use crate::studies::state_changes::BenchError;
 
 /// The exit codes. 0 is success.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Exit {
+    /// A comparison failed, or a threshold was passed.
+    Compared = 1,
     /// The command line makes no sense, or asks for what the device does not have.
     Usage = 2,
     /// No suitable device or driver.
@@ -71,11 +74,23 @@ impl From<RenderError> for Failure {
     }
 }
 
-impl From<FirstDrawError> for Failure {
-    fn from(error: FirstDrawError) -> Self {
+impl From<BenchError> for Failure {
+    fn from(error: BenchError) -> Self {
         let exit = match error {
-            FirstDrawError::Io(_) => Exit::File,
-            FirstDrawError::Failed(_) => Exit::Device,
+            BenchError::Render(error) => return error.into(),
+            BenchError::Scene(error) => return error.into(),
+            BenchError::Mode(_) | BenchError::TooManyDraws { .. } => Exit::Usage,
+            BenchError::OtherPicture { .. } | BenchError::OtherCommands { .. } => Exit::Compared,
+        };
+        Self::new(exit, error)
+    }
+}
+
+impl From<OwnProcessError> for Failure {
+    fn from(error: OwnProcessError) -> Self {
+        let exit = match error {
+            OwnProcessError::Io(_) => Exit::File,
+            OwnProcessError::Failed(_) => Exit::Device,
         };
         Self::new(exit, error)
     }

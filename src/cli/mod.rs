@@ -1,5 +1,6 @@
 //! What can a user ask for on the command line?
 
+mod bench;
 mod devices;
 mod doctor;
 mod effects;
@@ -35,6 +36,8 @@ enum Verb {
     Render(render::Arguments),
     /// Say which effects a scene calls for, and what each costs on this device
     Effects(effects::Arguments),
+    /// Measure what one pipeline saves, against switching, and what the single shader costs
+    Bench(bench::Arguments),
     /// List the Vulkan devices
     Devices(devices::Arguments),
     /// Say what Vulkan finds on this system, what is missing, and the line that mends it
@@ -60,6 +63,7 @@ pub fn run() -> ExitCode {
     let done = match cli.verb {
         Verb::Render(arguments) => render::run(&arguments, start),
         Verb::Effects(arguments) => effects::run(&arguments),
+        Verb::Bench(arguments) => bench::run(&arguments),
         Verb::Devices(arguments) => devices::run(&arguments),
         Verb::Doctor => doctor::run(),
         Verb::Completions { shell } => {

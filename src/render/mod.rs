@@ -24,6 +24,7 @@ mod scene_buffers;
 mod shading_pass;
 mod shadow_maps;
 mod shadow_pass;
+pub mod state_changes;
 mod targets;
 mod tone_mapping;
 mod uploaded;

@@ -1,5 +1,7 @@
 //! What did a frame leave: which values, and are they numbers?
 
+use crate::math::fnv::fnv1a;
+
 /// Scene-linear radiance, cd/m^2, linear sRGB, premultiplied by alpha; rows from the top.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Picture {
@@ -59,6 +61,14 @@ impl Picture {
             }
         };
         pairs.map(difference).fold(0.0, f64::max)
+    }
+
+    /// 64 bits that tell it from another: two pictures of one hash are equal bit by bit, as far as anybody will see.
+    pub fn hash(&self) -> u64 {
+        let size = [self.width, self.height].map(u32::to_le_bytes);
+        let pixels = self.pixels.as_flattened().iter();
+        let bits = pixels.flat_map(|value| value.to_bits().to_le_bytes());
+        fnv1a(size.into_iter().flatten().chain(bits))
     }
 
     /// Counts the pixels that are not non-negative numbers. Tested on the CPU: a driver may fold

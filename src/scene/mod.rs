@@ -38,10 +38,12 @@ mod tangents;
 mod texture;
 mod texture_loader;
 mod toml_file;
+mod wall;
 mod warnings;
 
 use std::path::Path;
 
+pub use assembly::built_in_materials;
 pub use camera::{Camera, Projection};
 pub use error::{Error, Place};
 pub use lights::{Ambient, Light, LightKind, MAX_LIGHTS};
@@ -52,6 +54,7 @@ pub use models::MAX_OBJECTS;
 pub use normals::CREASE_DEGREES;
 pub use texture::{MAX_TEXEL_EMISSION, MAX_TEXTURE_PIXELS, MAX_TEXTURE_SIDE, Texture};
 pub use texture_loader::MAX_TEXTURES;
+pub use wall::{Exhibit, Order, Wall};
 
 /// A loaded scene. Numbers of `objects` are valid indices of `meshes` and `materials`.
 #[derive(Clone, Debug)]

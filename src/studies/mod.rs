@@ -4,6 +4,9 @@
 
 mod effects;
 mod first_draw;
+mod own_process;
+pub mod state_changes;
 
 pub use effects::{Options, SceneStudy, frames, study};
-pub use first_draw::{FirstDraw, FirstDrawError};
+pub use first_draw::FirstDraw;
+pub use own_process::{ColdAndWarm, OwnProcessError};

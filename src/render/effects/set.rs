@@ -60,6 +60,12 @@ impl EffectSet {
         Self(self.0 & !bit_of(effect))
     }
 
+    /// Those but the one of this constant.
+    pub(in crate::render) fn without_constant(self, constant: u32) -> Self {
+        let rest = self.iter().filter(|effect| effect.constant != constant);
+        rest.fold(Self::NONE, |set, effect| set.with(effect))
+    }
+
     /// Those that are in both.
     pub fn and(self, other: Self) -> Self {
         Self(self.0 & other.0)

@@ -109,6 +109,15 @@ impl Maps {
     }
 }
 
+/// A texture in an array of its own.
+///
+/// # Errors
+/// No memory, or the driver fails.
+pub fn alone(device: &Arc<Device>, texture: &Texture) -> Result<Arc<TextureArray>, Error> {
+    let of = format(texture.slot());
+    upload(device, of, side_of(texture), [texture].into_iter())
+}
+
 /// The most texels of one format's arrays, largest level: 512 MiB on the device, 683 with all levels.
 const MOST_TEXELS: u64 = 128 << 20;
 

@@ -9,8 +9,12 @@ use super::surface::{Solid, Surface};
 use super::{Part, part};
 
 pub fn sphere() -> Vec<Part> {
-    // 96 x 48: the outline's error is 1 - cos(pi/96) = 0.05 %, below a pixel at 1,000 pixels.
-    let (segments, rows) = (96, 48);
+    // The outline's error is 1 - cos(pi/96) = 0.05 %, below a pixel at 1,000 pixels.
+    vec![part("sphere", ball(96, 48))]
+}
+
+/// A ball of radius 1 m around the origin.
+pub fn ball(segments: usize, rows: usize) -> Surface {
     let latitude = |row: usize| PI * (row as f32 / rows as f32 - 0.5);
     let profile: Vec<_> = (0..=rows)
         .map(|row| Vec2::new(latitude(row).cos(), latitude(row).sin()))
@@ -18,7 +22,7 @@ pub fn sphere() -> Vec<Part> {
     let mut surface = lathe(&profile, segments).shade(180.0);
     // The ball's own normals, not those of its facets.
     surface.normals = surface.positions.iter().map(|p| p.normalize()).collect();
-    vec![part("sphere", surface)]
+    surface
 }
 
 /// A sheet in x and z, `columns` x `rows` quads, facing up.

@@ -43,6 +43,11 @@ fn part(name: &'static str, surface: Surface) -> Part {
     Part { name, mesh }
 }
 
+/// A ball of radius 1 m around the origin, of so many segments and rows.
+pub fn ball(segments: usize, rows: usize) -> Mesh {
+    part("ball", basic::ball(segments, rows)).mesh
+}
+
 /// Lists the shapes once: variant, name in a scene file, maker, what it is.
 macro_rules! shapes {
     ($($variant:ident $name:literal $make:path, $what:literal;)*) => {

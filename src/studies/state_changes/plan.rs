@@ -1,0 +1,270 @@
+//! Which cells are measured, and which of them together?
+
+use crate::gpu::DeviceKind;
+use crate::render::state_changes::{Call, Change, MODES, Mode, ONE_PIPELINE};
+use crate::report::BenchRow;
+use crate::scene::{Exhibit, Order, Wall};
+
+/// What is drawn.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum SceneKind {
+    /// Triangles of 8 pixels: the driver's own cost.
+    Tiny,
+    /// Balls under four lamps, in a picture of one size: a user's cost.
+    Zoo,
+    /// Squares of so many pixels a side: what a pixel of the single shader costs.
+    Patches(u32),
+    /// The triangles, dropped before the rasteriser.
+    Null,
+}
+
+impl SceneKind {
+    /// What rows and the command line call it; patches of any size are one scene.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tiny => "tiny",
+            Self::Zoo => "zoo",
+            Self::Patches(_) => "patches",
+            Self::Null => "null",
+        }
+    }
+
+    fn exhibit(self) -> Exhibit {
+        match self {
+            Self::Tiny | Self::Null => Exhibit::Triangles,
+            Self::Zoo => Exhibit::Balls,
+            Self::Patches(side) => Exhibit::Squares(side),
+        }
+    }
+}
+
+/// One mode in one order.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Cell {
+    /// How draws get their materials.
+    pub mode: &'static Mode,
+    /// In which order they are drawn.
+    pub order: Order,
+}
+
+/// Cells that are drawn in turn: one scene, one number of materials and draws.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Group {
+    /// What is drawn.
+    pub scene: SceneKind,
+    /// Materials.
+    pub materials: u32,
+    /// Objects.
+    pub draws: u32,
+    /// What is measured.
+    pub cells: Vec<Cell>,
+}
+
+/// All that is measured.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Plan {
+    /// `quick`, `full` or `custom`.
+    pub name: &'static str,
+    /// Its groups, in the order of measuring.
+    pub groups: Vec<Group>,
+    /// Frames of each cell that count.
+    pub rounds: u32,
+}
+
+/// Materials of the sweep over them, at `SWEEP_DRAWS` draws.
+const SWEEP: [u32; 7] = [1, 4, 16, 64, 256, 1024, 4096];
+const SWEEP_DRAWS: u32 = 10_000;
+/// Draws of the sweep over them, at `SWEEP_MATERIALS` materials.
+const DRAWS: [u32; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
+const SWEEP_MATERIALS: u32 = 64;
+/// From this many draws on a CPU driver is asked for the base and what draws with one command: with a state
+/// command a draw one frame takes ten seconds.
+const MANY_DRAWS: u32 = 1_000_000;
+/// Sides of the squares, pixels.
+const SIDES: [u32; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
+
+/// How many pipelines are made for materials; beyond, they are made in turn (`capped`). A CPU driver takes 70 ms and
+/// more to compile one, and keeps it in memory.
+pub fn most_pipelines(kind: DeviceKind) -> u32 {
+    match kind {
+        DeviceKind::Cpu => 256,
+        _ => 4096,
+    }
+}
+
+impl Group {
+    /// A group of all modes that apply.
+    pub fn of_all(scene: SceneKind, materials: u32, draws: u32, modes: &[&'static Mode]) -> Self {
+        let cells = modes.iter().flat_map(|mode| cells_of(scene, mode));
+        Self {
+            scene,
+            materials,
+            draws,
+            cells: cells.collect(),
+        }
+    }
+
+    /// The wall that it draws. `pipelines` of the materials differ.
+    pub fn wall(&self, distinct: u32, pictures: u32) -> Wall {
+        Wall {
+            exhibit: self.scene.exhibit(),
+            objects: self.draws,
+            materials: self.materials,
+            distinct: distinct.min(self.materials),
+            pictures: pictures.min(self.materials),
+        }
+    }
+
+    /// Whether a row is one of its cells.
+    pub fn has(&self, cell: &Cell, row: &BenchRow) -> bool {
+        let side = match self.scene {
+            SceneKind::Patches(side) => f64::from(side).powi(2),
+            _ => row.pixels_per_draw,
+        };
+        row.mode == cell.mode.name
+            && row.order == cell.order.name()
+            && row.scene == self.scene.name()
+            && row.materials == self.materials
+            && row.draws == self.draws
+            && row.pixels_per_draw == side
+    }
+}
+
+/// A mode in the orders that matter to it. Without anything between its draws it is measured shuffled alone, unless it is
+/// what sorted modes are compared with.
+fn cells_of(scene: SceneKind, mode: &'static Mode) -> Vec<Cell> {
+    // Of a wall with glass the unblended picture is another.
+    let opaque = scene != SceneKind::Zoo;
+    if mode.output != crate::gpu::Output::Blended && !opaque {
+        return Vec::new();
+    }
+    // What is not rasterised shows no pictures.
+    if scene == SceneKind::Null && mode.source.has_pictures() {
+        return Vec::new();
+    }
+    let is_base = MODES.iter().any(|other| other.base == mode.name);
+    let control = matches!(mode.change, Change::SamePipeline | Change::SameSet);
+    let sorted = is_base || mode.change != Change::Nothing && !control;
+    let once = matches!(scene, SceneKind::Patches(_));
+    let orders = Order::ALL.into_iter();
+    orders
+        .filter(|order| match order {
+            Order::Sorted => sorted && !once,
+            Order::Shuffled => true,
+        })
+        .map(|order| Cell { mode, order })
+        .collect()
+}
+
+impl Plan {
+    /// What a minute on two cores suffices for.
+    pub fn quick() -> Self {
+        let modes: Vec<_> = MODES.iter().collect();
+        let mut groups = vec![
+            Group::of_all(SceneKind::Tiny, 16, 2_000, &modes),
+            Group::of_all(SceneKind::Zoo, 16, 500, &modes),
+            Group::of_all(SceneKind::Null, 16, 2_000, &modes),
+        ];
+        groups.extend([1, 8, 64].map(|side| patches(side, 16)));
+        Self {
+            name: "quick",
+            groups,
+            rounds: 11,
+        }
+    }
+
+    /// Both sweeps over three scenes, and the patches.
+    pub fn full(kind: DeviceKind) -> Self {
+        let all: Vec<_> = MODES.iter().collect();
+        let mut groups = Vec::new();
+        for scene in [SceneKind::Tiny, SceneKind::Zoo, SceneKind::Null] {
+            for materials in SWEEP {
+                groups.push(Group::of_all(scene, materials, SWEEP_DRAWS, &all));
+            }
+            for draws in DRAWS.into_iter().filter(|draws| *draws != SWEEP_DRAWS) {
+                let few = draws >= MANY_DRAWS && kind == DeviceKind::Cpu;
+                let modes: Vec<_> = all
+                    .iter()
+                    .filter(|mode| !few || mode.name == ONE_PIPELINE || is_one_command(mode))
+                    .copied()
+                    .collect();
+                groups.push(Group::of_all(scene, SWEEP_MATERIALS, draws, &modes));
+            }
+        }
+        groups.extend(SIDES.map(|side| patches(side, SWEEP_MATERIALS)));
+        Self {
+            name: "full",
+            groups,
+            rounds: 12,
+        }
+    }
+
+    /// The cells that it has and `rows` has not, each with its base.
+    pub fn missing(&self, rows: &[BenchRow]) -> Self {
+        let groups = self.groups.iter().filter_map(|group| {
+            let done = |cell: &Cell| rows.iter().any(|row| group.has(cell, row));
+            let cells: Vec<_> = group.cells.iter().filter(|c| !done(c)).copied().collect();
+            (!cells.is_empty()).then(|| Group {
+                cells,
+                ..group.clone()
+            })
+        });
+        Self {
+            groups: groups.collect(),
+            ..self.clone()
+        }
+    }
+}
+
+fn is_one_command(mode: &Mode) -> bool {
+    matches!(mode.call, Call::Indirect | Call::Instanced)
+}
+
+/// Squares of one size, each of a material of its own: the single shader in both builds, and switching.
+fn patches(side: u32, materials: u32) -> Group {
+    use crate::render::state_changes::{DYNAMIC, PIPELINE_PER_MATERIAL};
+    let named = [ONE_PIPELINE, DYNAMIC, PIPELINE_PER_MATERIAL];
+    let modes: Vec<_> = MODES.iter().filter(|m| named.contains(&m.name)).collect();
+    Group::of_all(SceneKind::Patches(side), materials, materials, &modes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_cell_has_its_base_in_its_group() {
+        for plan in [
+            Plan::quick(),
+            Plan::full(DeviceKind::Cpu),
+            Plan::full(DeviceKind::Discrete),
+        ] {
+            for group in &plan.groups {
+                for cell in &group.cells {
+                    let base = |other: &Cell| {
+                        other.mode.name == cell.mode.base && other.order == cell.order
+                    };
+                    assert!(group.cells.iter().any(base), "{}: {cell:?}", plan.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_cpu_is_spared_a_million_state_commands() {
+        let modes = |kind| {
+            let plan = Plan::full(kind);
+            let groups = plan.groups.into_iter();
+            let mut many = groups.filter(|g| g.draws == MANY_DRAWS && g.scene == SceneKind::Tiny);
+            let cells = many.next().map_or(Vec::new(), |group| group.cells);
+            let mut names: Vec<_> = cells.iter().map(|cell| cell.mode.name).collect();
+            names.dedup();
+            names
+        };
+        assert_eq!(
+            modes(DeviceKind::Cpu),
+            [ONE_PIPELINE, "indirect", "instanced"]
+        );
+        assert_eq!(modes(DeviceKind::Discrete).len(), MODES.len());
+    }
+}
