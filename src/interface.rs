@@ -185,3 +185,35 @@ pub struct ShadowMap {
     pub planes: [[f32; 4]; 4],
 }
 agree!(ShadowMap { clip, planes });
+
+/// The barest draws of the benchmark; see `shaders-glsl/interface/bare.glsl`.
+#[derive(Clone, Copy, Pod, Zeroable, Debug)]
+#[repr(C)]
+pub struct Bare {
+    /// Cells in a row.
+    pub columns: u32,
+    /// Rows.
+    pub rows: u32,
+    /// Triangles.
+    pub draws: u32,
+    /// Shades.
+    pub shades: u32,
+    /// Whether those of a shade follow each other.
+    pub sorted: u32,
+    /// Unused.
+    pub bare_padding_0: u32,
+    /// Unused.
+    pub bare_padding_1: u32,
+    /// Unused.
+    pub bare_padding_2: u32,
+}
+agree!(Bare {
+    columns,
+    rows,
+    draws,
+    shades,
+    sorted,
+    bare_padding_0,
+    bare_padding_1,
+    bare_padding_2
+});

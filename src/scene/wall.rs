@@ -93,8 +93,7 @@ impl Wall {
         match self.exhibit {
             Exhibit::Triangles => 8.0,
             Exhibit::Balls => {
-                let (width, _) = self.size();
-                let cell = f64::from(width) / f64::from(self.grid().0);
+                let cell = f64::from(self.size().1) / f64::from(self.extent().y);
                 std::f64::consts::PI * (cell * f64::from(BALL_RADIUS)).powi(2)
             }
             Exhibit::Squares(side) => f64::from(side).powi(2),
@@ -102,7 +101,7 @@ impl Wall {
     }
 
     /// Cells in a row, and rows.
-    fn grid(&self) -> (u32, u32) {
+    pub fn grid(&self) -> (u32, u32) {
         let aspect = match self.exhibit {
             Exhibit::Balls => f64::from(BALLS_SIZE[0]) / f64::from(BALLS_SIZE[1]),
             Exhibit::Triangles | Exhibit::Squares(_) => 1.0,
@@ -122,7 +121,6 @@ impl Wall {
     /// # Errors
     /// None that a built program has: the built-in materials are read.
     pub fn scene(&self, order: Order, seed: u64) -> Result<Scene, Error> {
-        let (_, rows) = self.grid();
         let materials = self.palette()?;
         let mut objects: Vec<_> = (0..self.objects).map(|cell| self.object(cell)).collect();
         if order == Order::Shuffled {
@@ -141,7 +139,7 @@ impl Wall {
             }
         }
         Ok(Scene {
-            camera: self.camera(rows as f32),
+            camera: self.camera(),
             ambient: Ambient {
                 sky: [0.6, 0.7, 0.8],
                 ground: [0.15, 0.12, 0.1],
@@ -167,21 +165,35 @@ impl Wall {
         }
     }
 
-    /// A cell is 1 m; the first is at the lower left, and the picture ends where the last column and row do.
-    fn camera(&self, rows: f32) -> Camera {
+    /// The world's part that the picture shows, m: all cells, each 1 m.
+    fn extent(&self) -> Vec2 {
+        let (columns, rows) = self.grid();
         let (width, height) = self.size();
-        let middle = Vec3::new(rows * width as f32 / height as f32, rows, 0.0) / 2.0;
+        let [columns, rows, width, height] = [columns, rows, width, height].map(u64::from);
+        let rows = match columns * height > rows * width {
+            true => columns as f32 * height as f32 / width as f32,
+            false => rows as f32,
+        };
+        Vec2::new(rows * width as f32 / height as f32, rows)
+    }
+
+    /// The wall in the middle, its first cell at the lower left.
+    fn camera(&self) -> Camera {
+        let (columns, rows) = self.grid();
+        let middle = Vec3::new(columns as f32, rows as f32, 0.0) / 2.0;
+        let height = self.extent().y;
         Camera {
             // As far as the wall is high, and beyond the nearest ball.
-            position: middle + Vec3::Z * rows.max(2.0),
+            position: middle + Vec3::Z * height.max(2.0),
             target: middle,
             up: Vec3::Y,
-            projection: Projection::Orthographic { height: rows },
+            projection: Projection::Orthographic { height },
             exposure_ev100: 0.0,
         }
     }
 
-    fn mesh(&self) -> Mesh {
+    /// What stands in each cell; the cell's corners are (0, 0) and (1, 1).
+    pub fn mesh(&self) -> Mesh {
         let pixels = |cell: u32, corners: &[[f32; 2]], indices: &[u32]| {
             let corner = |corner: &[f32; 2]| Vec2::from(*corner) / cell as f32;
             flat(corners.iter().map(corner), indices)
@@ -215,9 +227,7 @@ impl Wall {
         if self.exhibit == Exhibit::Triangles {
             return vec![light("sun", sun)];
         }
-        let (_, rows) = self.grid();
-        let (width, height) = self.size();
-        let extent = Vec3::new(rows as f32 * width as f32 / height as f32, rows as f32, 0.0);
+        let extent = self.extent().extend(0.0);
         // In front of the wall, as far as it is high: candela grow with the square of that.
         let lamp = |x: f32, y: f32| extent * Vec3::new(x, y, 0.0) + Vec3::Z * extent.y;
         let intensity = extent.y * extent.y;
@@ -279,7 +289,7 @@ impl Wall {
             let dark = 0.3 + 0.6 * (number as f32 / count as f32);
             let texel = |place: u32| {
                 let (x, y) = (place % PICTURE_SIDE, place / PICTURE_SIDE);
-                let band = (x + y * (1 + number % 3)) / 4 % 2 == 0;
+                let band = ((x + y * (1 + number % 3)) / 4).is_multiple_of(2);
                 let shade = if band { dark } else { 1.0 };
                 [shade, shade, 1.0 - 0.3 * shade, 1.0]
             };

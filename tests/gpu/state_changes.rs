@@ -3,7 +3,7 @@
 use umber::gpu::PipelineCache;
 use umber::render::effects::{Build, EffectSet, Effects};
 use umber::render::state_changes::{
-    Call, Canvas, Case, Change, MODES, Mode, ONE_PIPELINE, Source, Stage, TEXTURE_ARRAY,
+    Call, Canvas, Case, Change, Drawing, MODES, Mode, ONE_PIPELINE, Source, Stage, TEXTURE_ARRAY,
 };
 use umber::render::{Picture, Settings, Variant};
 use umber::scene::{Exhibit, Order, Wall};
@@ -67,6 +67,8 @@ fn every_mode_draws_every_scene_in_every_order() -> Outcome {
     with_gpu(|gpu| -> Outcome {
         let modes: Vec<_> = MODES.iter().collect();
         for scene in [
+            SceneKind::Bare { storage: false },
+            SceneKind::Bare { storage: true },
             SceneKind::Tiny,
             SceneKind::Zoo,
             SceneKind::Patches(3),
@@ -79,10 +81,9 @@ fn every_mode_draws_every_scene_in_every_order() -> Outcome {
                 let drawn = row.mode != "nothing" && scene != SceneKind::Null;
                 assert_eq!(row.image_hash.is_some(), drawn, "{row:?}");
                 assert_eq!(row.samples, 2, "{row:?}");
-                // A wall of 40 objects is there, and not a clear colour.
                 let hash = |mode: &str| {
                     rows.iter()
-                        .find(|r| r.mode == mode)
+                        .find(|r| r.mode == mode && r.order == row.order)
                         .map(|r| r.image_hash.clone())
                 };
                 if drawn && gpu.is_lavapipe() {
@@ -140,6 +141,29 @@ fn the_base_is_the_renderers_own_frame() -> Outcome {
                 assert_eq!([counts], report.passes[..], "{exhibit:?}, {name}");
             }
         }
+        Ok(())
+    })
+}
+
+#[test]
+fn objects_cover_the_pixels_that_rows_say() -> Outcome {
+    with_gpu(|gpu| -> Outcome {
+        for exhibit in [Exhibit::Triangles, Exhibit::Squares(1), Exhibit::Squares(6)] {
+            let wall = wall(exhibit, 3, 70);
+            let picture = picture(gpu, wall, Order::Shuffled, &MODES[0])?;
+            let covered = picture.pixels.iter().filter(|pixel| pixel[3] > 0.0).count();
+            assert_eq!(
+                covered as f64,
+                70.0 * wall.pixels_per_object(),
+                "{exhibit:?}"
+            );
+        }
+        // Of balls as many as their outline, a polygon of 12 corners in a circle, encloses.
+        let wall = wall(Exhibit::Balls, 3, 70);
+        let picture = picture(gpu, wall, Order::Shuffled, &MODES[0])?;
+        let covered = picture.pixels.iter().filter(|pixel| pixel[3] > 0.0).count();
+        let share = covered as f64 / (70.0 * wall.pixels_per_object());
+        assert!((0.9..1.0).contains(&share), "{share}");
         Ok(())
     })
 }

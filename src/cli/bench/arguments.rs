@@ -23,7 +23,7 @@ pub struct Arguments {
     /// The modes to measure, with commas between them [default: all; see below]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = mode)]
     mode: Vec<&'static Mode>,
-    /// What is drawn: tiny, zoo, patches, null [default: tiny]
+    /// What is drawn: tiny, zoo, patches, null, bare, bare-storage [default: tiny]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = scene)]
     scene: Vec<SceneKind>,
     /// Numbers of materials [default: 64]
@@ -212,7 +212,7 @@ fn mode(text: &str) -> Result<&'static Mode, String> {
 
 fn scene(text: &str) -> Result<SceneKind, String> {
     let found = SCENES.into_iter().find(|scene| scene.name() == text);
-    found.ok_or_else(|| "it is tiny, zoo, patches or null".into())
+    found.ok_or_else(|| "it is tiny, zoo, patches, null, bare or bare-storage".into())
 }
 
 fn number(most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone {

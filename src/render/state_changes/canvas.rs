@@ -5,11 +5,23 @@ use std::time::Instant;
 
 use super::super::picture::Picture;
 use super::super::targets::Targets;
-use super::case::Case;
-use crate::gpu::{Buffer, Device, Error, PassCounts, Recorder, Samples, Timestamps};
+use super::case::Made;
+use crate::gpu::{Buffer, Device, Error, Pass, PassCounts, Recorder, Samples, Timestamps};
 
 /// The pass's label.
 pub const NAME: &str = "shading";
+
+/// A mode that is ready to draw a scene.
+pub trait Drawing {
+    /// What making it took.
+    fn made(&self) -> Made;
+
+    /// What its pass must count.
+    fn expected(&self) -> PassCounts;
+
+    /// Records its pass.
+    fn commands<'a>(&'a self, pass: &mut Pass<'_, 'a>);
+}
 
 /// Targets and a clock, for modes that draw in turn.
 pub struct Canvas {
@@ -49,7 +61,7 @@ impl Canvas {
     ///
     /// # Errors
     /// The driver fails.
-    pub fn sample(&self, case: &Case) -> Result<Sample, Error> {
+    pub fn sample(&self, case: &dyn Drawing) -> Result<Sample, Error> {
         let mut recorder = Recorder::new(&self.device, "frame")?;
         let before = Instant::now();
         match &self.timestamps {
@@ -74,7 +86,7 @@ impl Canvas {
     ///
     /// # Errors
     /// The driver fails.
-    pub fn record_and_reset(&self, case: &Case) -> Result<(f64, PassCounts), Error> {
+    pub fn record_and_reset(&self, case: &dyn Drawing) -> Result<(f64, PassCounts), Error> {
         let before = Instant::now();
         let mut recorder = Recorder::new(&self.device, "frame")?;
         self.record(case, &mut recorder);
@@ -86,7 +98,7 @@ impl Canvas {
     ///
     /// # Errors
     /// The driver fails, or there is no memory.
-    pub fn picture(&self, case: &Case) -> Result<Picture, Error> {
+    pub fn picture(&self, case: &dyn Drawing) -> Result<Picture, Error> {
         let mut readback: Buffer = self.targets.readback(&self.device)?;
         let mut recorder = Recorder::new(&self.device, "picture")?;
         self.record(case, &mut recorder);
@@ -95,7 +107,7 @@ impl Canvas {
         self.targets.picture(&readback)
     }
 
-    fn record<'a>(&'a self, case: &'a Case<'_>, recorder: &mut Recorder<'a>) {
+    fn record<'a>(&'a self, case: &'a dyn Drawing, recorder: &mut Recorder<'a>) {
         recorder.pass(&self.targets.pass(NAME, &[]), |pass| case.commands(pass));
     }
 }

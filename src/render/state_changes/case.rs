@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use super::super::draw_list::Draw;
 use super::super::geometry::Attributes;
-use super::canvas;
+use super::canvas::{self, Drawing};
 use super::mode::{Call, Change, Mode};
 use super::own::Own;
 use super::pipelines::ModePipelines;
@@ -98,76 +98,6 @@ impl<'s> Case<'s> {
         })
     }
 
-    /// The mode.
-    pub fn mode(&self) -> &'static Mode {
-        self.mode
-    }
-
-    /// What making it took.
-    pub fn made(&self) -> Made {
-        self.made
-    }
-
-    /// What a pass must count.
-    pub fn expected(&self) -> PassCounts {
-        let changes = self
-            .keys
-            .windows(2)
-            .filter(|pair| pair[0] != pair[1])
-            .count() as u64;
-        let [pipelines, sets, pushes] = self.mode.change.binds().map(|binds| binds * changes);
-        let draws = self.keys.len();
-        let first = |there: bool| u64::from(there && draws > 0);
-        let own = self.own.first_binds().map(|binds| binds * first(true));
-        let nothing = PassCounts {
-            name: canvas::NAME.to_owned(),
-            draws: 0,
-            pipeline_binds: 0,
-            descriptor_set_binds: 0,
-            push_constants: 0,
-            cull_changes: 0,
-        };
-        match self.mode.call {
-            Call::Nothing => nothing,
-            call => PassCounts {
-                draws: match call {
-                    Call::Each => draws as u64,
-                    Call::Indirect => first(true),
-                    Call::Instanced => self.runs.len() as u64,
-                    Call::Nothing => 0,
-                },
-                pipeline_binds: first(true) + pipelines,
-                descriptor_set_binds: first(true) + own[0] + sets,
-                push_constants: own[1] + pushes,
-                cull_changes: first(!self.two_sided),
-                ..nothing
-            },
-        }
-    }
-
-    /// Records the pass.
-    pub(super) fn commands<'a>(&'a self, pass: &mut Pass<'_, 'a>) {
-        let (Some(key), Some((draw, _))) = (self.keys.first(), self.stage.draws.first()) else {
-            return;
-        };
-        if self.mode.call == Call::Nothing {
-            return;
-        }
-        let geometry = &self.stage.uploaded.geometry;
-        pass.bind_pipeline(self.pipeline(*key));
-        let records = self.stage.records(self.mode.source.has_pictures());
-        pass.bind_set(0, &records.set);
-        self.own.bind(pass, *key);
-        pass.bind_geometry(&geometry.vertices(self.attributes), &geometry.indices);
-        // One mesh, not mirrored and of materials with two sides: all draws agree.
-        pass.set_cull(draw.faces.cull(self.two_sided));
-        match (self.mode.call, &self.indirect) {
-            (_, Some(draws)) => pass.draw_indirect(draws),
-            (Call::Instanced, _) => self.draw_runs(pass),
-            _ => self.draw_each(pass, *key),
-        }
-    }
-
     fn draw_runs<'a>(&'a self, pass: &mut Pass<'_, 'a>) {
         for Run { draw, instances } in &self.runs {
             pass.draw_instances(draw.indices.clone(), draw.vertex_offset, instances.clone());
@@ -204,6 +134,70 @@ impl<'s> Case<'s> {
     fn pipeline(&self, key: u32) -> &Pipeline {
         let place = (key as usize).min(self.pipelines.len() - 1);
         &self.pipelines[place]
+    }
+}
+
+impl Drawing for Case<'_> {
+    fn made(&self) -> Made {
+        self.made
+    }
+
+    fn expected(&self) -> PassCounts {
+        let changes = self
+            .keys
+            .windows(2)
+            .filter(|pair| pair[0] != pair[1])
+            .count() as u64;
+        let [pipelines, sets, pushes] = self.mode.change.binds().map(|binds| binds * changes);
+        let draws = self.keys.len();
+        let first = |there: bool| u64::from(there && draws > 0);
+        let own = self.own.first_binds().map(|binds| binds * first(true));
+        let nothing = PassCounts {
+            name: canvas::NAME.to_owned(),
+            draws: 0,
+            pipeline_binds: 0,
+            descriptor_set_binds: 0,
+            push_constants: 0,
+            cull_changes: 0,
+        };
+        match self.mode.call {
+            Call::Nothing => nothing,
+            call => PassCounts {
+                draws: match call {
+                    Call::Each => draws as u64,
+                    Call::Indirect => first(true),
+                    Call::Instanced => self.runs.len() as u64,
+                    Call::Nothing => 0,
+                },
+                pipeline_binds: first(true) + pipelines,
+                descriptor_set_binds: first(true) + own[0] + sets,
+                push_constants: own[1] + pushes,
+                cull_changes: first(!self.two_sided),
+                ..nothing
+            },
+        }
+    }
+
+    fn commands<'a>(&'a self, pass: &mut Pass<'_, 'a>) {
+        let (Some(key), Some((draw, _))) = (self.keys.first(), self.stage.draws.first()) else {
+            return;
+        };
+        if self.mode.call == Call::Nothing {
+            return;
+        }
+        let geometry = &self.stage.uploaded.geometry;
+        pass.bind_pipeline(self.pipeline(*key));
+        let records = self.stage.records(self.mode.source.has_pictures());
+        pass.bind_set(0, &records.set);
+        self.own.bind(pass, *key);
+        pass.bind_geometry(&geometry.vertices(self.attributes), &geometry.indices);
+        // One mesh, not mirrored and of materials with two sides: all draws agree.
+        pass.set_cull(draw.faces.cull(self.two_sided));
+        match (self.mode.call, &self.indirect) {
+            (_, Some(draws)) => pass.draw_indirect(draws),
+            (Call::Instanced, _) => self.draw_runs(pass),
+            _ => self.draw_each(pass, *key),
+        }
     }
 }
 

@@ -4,9 +4,10 @@
 //! against it.
 //!
 //! ```text
-//! scene::Wall -> Stage (one a scene) -> Case (one a mode) -> Canvas: Sample, Picture
+//! scene::Wall -> Stage, BareStage (one a scene) -> Case, BareCase (one a mode) -> Canvas: Sample, Picture
 //! ```
 
+mod bare;
 mod canvas;
 mod case;
 mod mode;
@@ -14,7 +15,8 @@ mod own;
 mod pipelines;
 mod stage;
 
-pub use canvas::{Canvas, Sample};
+pub use bare::{BareCase, BareStage};
+pub use canvas::{Canvas, Drawing, Sample};
 pub use case::{Case, Made};
 pub use mode::{
     Call, Change, DYNAMIC, MODES, Mode, ONE_PIPELINE, PIPELINE_PER_MATERIAL, Source, TEXTURE_ARRAY,

@@ -5,12 +5,13 @@
 
 use std::path::{Path, PathBuf};
 
-use super::plan::{Group, SceneKind, most_pipelines};
+use super::plan::{Cell, Group, SceneKind, most_pipelines};
+use super::stages::{Scenes, Stages};
 use super::{BenchError, Options};
 use crate::gpu::PipelineCache;
 use crate::math::statistics::median;
 use crate::render::Renderer;
-use crate::render::state_changes::{Call, Canvas, Case, Mode, Stage};
+use crate::render::state_changes::{Call, Canvas, Mode};
 use crate::report::BenchRow;
 use crate::scene::Order;
 use crate::studies::own_process::{ColdAndWarm, OwnProcess, OwnProcessError};
@@ -22,11 +23,13 @@ const FRAMES: usize = 5;
 const SIDE: u32 = 8;
 
 /// The scene kinds by name, for the process that is asked for one of them.
-pub const SCENES: [SceneKind; 4] = [
+pub const SCENES: [SceneKind; 6] = [
     SceneKind::Tiny,
     SceneKind::Zoo,
     SceneKind::Patches(SIDE),
     SceneKind::Null,
+    SceneKind::Bare { storage: false },
+    SceneKind::Bare { storage: true },
 ];
 
 /// What a process of its own measures: a mode's pipelines for so many materials, each drawn once. Milliseconds.
@@ -40,20 +43,18 @@ pub fn here(
     options: &Options,
 ) -> Result<f64, BenchError> {
     let group = Group::of_all(scene, materials, materials, &[mode]);
-    let pictures = if mode.source.has_pictures() {
-        materials
-    } else {
-        0
+    let cell = Cell {
+        mode,
+        order: Order::Shuffled,
     };
-    let wall = group.wall(materials, pictures);
-    let scene_drawn = wall.scene(Order::Sorted, options.seed)?;
-    let stage = Stage::new(renderer, &scene_drawn, wall.size())?;
-    let canvas = Canvas::new(renderer.device(), wall.size())?;
+    let scenes = Scenes::new(renderer, &group, options)?;
+    let stages = Stages::new(renderer, &group, &scenes)?;
+    let canvas = Canvas::new(renderer.device(), scenes.size())?;
     let cache = PipelineCache::open(renderer.device(), cache_folder)?;
-    let case = Case::new(&stage, mode, scene == SceneKind::Null, &cache)?;
-    let first = canvas.sample(&case)?.submit_to_idle_ms;
+    let case = stages.case(&cell, mode, scene == SceneKind::Null, &cache)?;
+    let first = canvas.sample(&*case)?.submit_to_idle_ms;
     cache.save();
-    let later = (0..FRAMES).map(|_| Ok(canvas.sample(&case)?.submit_to_idle_ms));
+    let later = (0..FRAMES).map(|_| Ok(canvas.sample(&*case)?.submit_to_idle_ms));
     let later: Vec<_> = later.collect::<Result<_, BenchError>>()?;
     let usual = median(&later).unwrap_or(first);
     Ok(case.made().calls_ms + (first - usual).max(0.0))

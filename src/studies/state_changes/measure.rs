@@ -2,27 +2,17 @@
 
 use std::time::Instant;
 
-use super::plan::{Cell, Group, SceneKind, most_pipelines};
+use super::plan::{Cell, Group, SceneKind};
 use super::rows::{Measured, row};
+use super::stages::{MOST_PICTURES, PictureKey, Scenes, Stages};
 use super::{BenchError, Options, Timing};
 use crate::gpu::{self, PassCounts, PipelineCache};
-use crate::render::state_changes::{Call, Canvas, Case, Mode, Sample, Stage};
+use crate::render::state_changes::{Call, Canvas, Drawing, Mode, Sample};
 use crate::render::{Picture, Renderer};
 use crate::report::BenchRow;
-use crate::scene::{Order, Scene};
-
-/// Distinct pictures that are made; further materials share them in turn. Every device has this many layers.
-const MOST_PICTURES: u32 = 256;
 
 /// What a picture may differ by where its code differs (DESIGN: 1e-5 relative and 1e-6 absolute).
 const MAX_DIFFERENCE: f64 = 1e-5;
-
-/// A group's scenes.
-struct Scenes {
-    scenes: Vec<Ordered>,
-    distinct: u32,
-    size: (u32, u32),
-}
 
 /// The rows of a group's cells, in their order. `progress` hears of each frame.
 ///
@@ -36,17 +26,13 @@ pub fn measure(
 ) -> Result<Vec<BenchRow>, BenchError> {
     check_records(renderer, group)?;
     let scenes = Scenes::new(renderer, group, options)?;
-    let canvas = Canvas::new(renderer.device(), scenes.size)?;
-    let stages: Vec<Stage> = scenes
-        .scenes
-        .iter()
-        .map(|ordered| Stage::new(renderer, &ordered.scene, scenes.size))
-        .collect::<Result<_, _>>()?;
+    let canvas = Canvas::new(renderer.device(), scenes.size())?;
+    let stages = Stages::new(renderer, group, &scenes)?;
     let bench = Bench {
         renderer,
         group,
         options,
-        scenes: &scenes,
+        size: scenes.size(),
         stages: &stages,
         canvas: &canvas,
         cache: PipelineCache::open(renderer.device(), None)?,
@@ -68,67 +54,12 @@ fn check_records(renderer: &Renderer, group: &Group) -> Result<(), BenchError> {
     Ok(())
 }
 
-/// The scene of one order.
-struct Ordered {
-    order: Order,
-    /// Whether materials beyond those that have pipelines of their own look like those in turn.
-    folded: bool,
-    scene: Scene,
-}
-
-impl Scenes {
-    fn new(renderer: &Renderer, group: &Group, options: &Options) -> Result<Self, BenchError> {
-        let cells = &group.cells;
-        let distinct = most_pipelines(renderer.device().info().kind).min(group.materials);
-        let pictures = cells.iter().any(|cell| cell.mode.source.has_pictures());
-        let pictures = if pictures { MOST_PICTURES } else { 0 };
-        let capped = distinct < group.materials;
-        let mut scenes = Vec::new();
-        for order in Order::ALL {
-            if !cells.iter().any(|cell| cell.order == order) {
-                continue;
-            }
-            for folded in [false, true] {
-                let wanted = cells.iter().any(|cell| {
-                    cell.order == order && folded == (capped && cell.mode.source.is_baked())
-                });
-                if wanted || !folded {
-                    let distinct = if folded { distinct } else { group.materials };
-                    let scene = group.wall(distinct, pictures).scene(order, options.seed)?;
-                    scenes.push(Ordered {
-                        order,
-                        folded,
-                        scene,
-                    });
-                }
-            }
-        }
-        Ok(Self {
-            scenes,
-            distinct,
-            size: group.wall(distinct, pictures).size(),
-        })
-    }
-
-    /// Where the scene of a cell stands, and whether it is folded.
-    fn of(&self, cell: &Cell) -> (usize, bool) {
-        let baked = cell.mode.source.is_baked();
-        // Folded scenes come after those that are not.
-        let found = self
-            .scenes
-            .iter()
-            .rposition(|scene| scene.order == cell.order && (!scene.folded || baked));
-        let place = found.unwrap_or_default();
-        (place, self.scenes[place].folded)
-    }
-}
-
 struct Bench<'a> {
     renderer: &'a Renderer,
     group: &'a Group,
     options: &'a Options,
-    scenes: &'a Scenes,
-    stages: &'a [Stage<'a>],
+    size: (u32, u32),
+    stages: &'a Stages<'a>,
     canvas: &'a Canvas,
     cache: PipelineCache,
 }
@@ -136,7 +67,7 @@ struct Bench<'a> {
 /// A cell that can be drawn, and its frames so far.
 struct Running<'a> {
     cell: Cell,
-    case: Case<'a>,
+    case: Box<dyn Drawing + 'a>,
     /// Round by round; `None` once its time is up.
     samples: Vec<Option<Sample>>,
     seconds: f64,
@@ -172,7 +103,7 @@ impl<'a> Bench<'a> {
             row(
                 self.group,
                 cell,
-                self.scenes.size,
+                self.size,
                 measured,
                 notes,
                 self.options.timing,
@@ -189,13 +120,12 @@ impl<'a> Bench<'a> {
 
     /// Makes all cases, draws each until it is warm, and holds its picture and its commands against what they must be.
     fn prepare(&self, cells: &[Cell]) -> Result<Vec<Running<'a>>, BenchError> {
-        let mut references: Vec<(&str, bool, Picture)> = Vec::new();
+        let mut references = Vec::new();
         let mut running = Vec::new();
         for cell in cells {
-            let (place, folded) = self.scenes.of(cell);
-            let case = self.case(place, cell.mode)?;
+            let case = self.case(cell, cell.mode)?;
             for _ in 0..self.options.warm_up {
-                let counts = self.sample(&case)?.counts;
+                let counts = self.sample(&*case)?.counts;
                 check_counts(cell, &counts, &case.expected())?;
             }
             let mut one = Running {
@@ -206,48 +136,51 @@ impl<'a> Bench<'a> {
                 hash: None,
                 notes: Vec::new(),
             };
-            if folded {
-                one.notes
-                    .push(format!("capped at {}", self.scenes.distinct));
-            }
+            one.notes.extend(self.notes(cell));
             if self.group.scene != SceneKind::Null && self.options.timing == Timing::Submit {
-                self.check_picture(&mut one, folded, &mut references)?;
+                self.check_picture(&mut one, &mut references)?;
             }
             running.push(one);
         }
         Ok(running)
     }
 
-    fn case(&self, place: usize, mode: &'static Mode) -> Result<Case<'a>, gpu::Error> {
+    fn case(&self, cell: &Cell, mode: &'static Mode) -> Result<Box<dyn Drawing + 'a>, gpu::Error> {
         let discard = self.group.scene == SceneKind::Null;
-        Case::new(&self.stages[place], mode, discard, &self.cache)
+        self.stages.case(cell, mode, discard, &self.cache)
+    }
+
+    /// What of a cell is less than its row's numbers say.
+    fn notes(&self, cell: &Cell) -> Vec<String> {
+        let capped = self.stages.cap(cell);
+        let shared = cell.mode.source.has_pictures() && self.group.materials > MOST_PICTURES;
+        let capped = capped.map(|most| format!("capped at {most}"));
+        let shared = shared.then(|| format!("{MOST_PICTURES} pictures"));
+        capped.into_iter().chain(shared).collect()
     }
 
     /// Compares the picture with that of the mode that it must equal, which is drawn first where it was not yet.
     fn check_picture(
         &self,
         one: &mut Running<'a>,
-        folded: bool,
-        references: &mut Vec<(&'static str, bool, Picture)>,
+        references: &mut Vec<(PictureKey, Picture)>,
     ) -> Result<(), BenchError> {
-        let Some(of) = one.cell.mode.picture_of() else {
+        let key = self.stages.picture(&one.cell);
+        let Some(of) = key.of else {
             return Ok(());
         };
-        let known = |references: &[(&str, bool, Picture)]| {
-            references
-                .iter()
-                .position(|(name, fold, _)| *name == of && *fold == folded)
+        let known = |references: &[(PictureKey, Picture)]| {
+            references.iter().position(|(known, _)| *known == key)
         };
         if known(references).is_none() {
             let mode = Mode::of_name(of).map_err(BenchError::Mode)?;
-            let (place, _) = self.scenes.of(&one.cell);
-            let picture = self.canvas.picture(&self.case(place, mode)?)?;
-            references.push((mode.name, folded, picture));
+            let picture = self.canvas.picture(&*self.case(&one.cell, mode)?)?;
+            references.push((key, picture));
         }
-        let picture = self.canvas.picture(&one.case)?;
-        let reference = &references[known(references).unwrap_or_default()].2;
+        let picture = self.canvas.picture(&*one.case)?;
+        let reference = &references[known(references).unwrap_or_default()].1;
         let difference = picture.max_difference(reference);
-        if !(difference <= MAX_DIFFERENCE) {
+        if difference > MAX_DIFFERENCE {
             return Err(BenchError::OtherPicture {
                 cell: told(&one.cell),
                 difference,
@@ -279,7 +212,7 @@ impl<'a> Bench<'a> {
                     continue;
                 }
                 let before = Instant::now();
-                let sample = self.sample(&one.case)?;
+                let sample = self.sample(&*one.case)?;
                 one.seconds += before.elapsed().as_secs_f64();
                 check_counts(&one.cell, &sample.counts, &one.case.expected())?;
                 one.samples.push(Some(sample));
@@ -288,7 +221,7 @@ impl<'a> Bench<'a> {
         Ok(())
     }
 
-    fn sample(&self, case: &Case) -> Result<Sample, gpu::Error> {
+    fn sample(&self, case: &dyn Drawing) -> Result<Sample, gpu::Error> {
         match self.options.timing {
             Timing::Submit => self.canvas.sample(case),
             Timing::RecordAndReset => self.recorded(case),
@@ -296,7 +229,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Several command buffers, so that the clock's steps do not show.
-    fn recorded(&self, case: &Case) -> Result<Sample, gpu::Error> {
+    fn recorded(&self, case: &dyn Drawing) -> Result<Sample, gpu::Error> {
         const SECONDS: f64 = 0.05;
         let (mut times, mut last) = (Vec::new(), None::<PassCounts>);
         let before = Instant::now();

@@ -8,6 +8,7 @@ mod creation;
 mod measure;
 mod plan;
 mod rows;
+mod stages;
 
 pub use break_even::break_evens;
 pub use creation::{Creation, SCENES, here as creation_here};

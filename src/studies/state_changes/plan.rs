@@ -1,7 +1,7 @@
 //! Which cells are measured, and which of them together?
 
 use crate::gpu::DeviceKind;
-use crate::render::state_changes::{Call, Change, MODES, Mode, ONE_PIPELINE};
+use crate::render::state_changes::{BareCase, Call, Change, MODES, Mode, ONE_PIPELINE};
 use crate::report::BenchRow;
 use crate::scene::{Exhibit, Order, Wall};
 
@@ -16,6 +16,11 @@ pub enum SceneKind {
     Patches(u32),
     /// The triangles, dropped before the rasteriser.
     Null,
+    /// Triangles of 8 pixels that read one uniform block: a state command's cost where a draw has nothing else to pay for.
+    Bare {
+        /// Whether a storage buffer that no shader reads is in the set.
+        storage: bool,
+    },
 }
 
 impl SceneKind {
@@ -26,12 +31,14 @@ impl SceneKind {
             Self::Zoo => "zoo",
             Self::Patches(_) => "patches",
             Self::Null => "null",
+            Self::Bare { storage: false } => "bare",
+            Self::Bare { storage: true } => "bare-storage",
         }
     }
 
     fn exhibit(self) -> Exhibit {
         match self {
-            Self::Tiny | Self::Null => Exhibit::Triangles,
+            Self::Tiny | Self::Null | Self::Bare { .. } => Exhibit::Triangles,
             Self::Zoo => Exhibit::Balls,
             Self::Patches(side) => Exhibit::Squares(side),
         }
@@ -138,6 +145,9 @@ fn cells_of(scene: SceneKind, mode: &'static Mode) -> Vec<Cell> {
     if mode.output != crate::gpu::Output::Blended && !opaque {
         return Vec::new();
     }
+    if matches!(scene, SceneKind::Bare { .. }) && !BareCase::has(mode) {
+        return Vec::new();
+    }
     // What is not rasterised shows no pictures.
     if scene == SceneKind::Null && mode.source.has_pictures() {
         return Vec::new();
@@ -165,6 +175,7 @@ impl Plan {
             Group::of_all(SceneKind::Zoo, 16, 500, &modes),
             Group::of_all(SceneKind::Null, 16, 2_000, &modes),
         ];
+        groups.extend(bare(16, 2_000, &modes));
         groups.extend([1, 8, 64].map(|side| patches(side, 16)));
         Self {
             name: "quick",
@@ -191,6 +202,7 @@ impl Plan {
                 groups.push(Group::of_all(scene, SWEEP_MATERIALS, draws, &modes));
             }
         }
+        groups.extend(bare(SWEEP_MATERIALS, SWEEP_DRAWS, &all));
         groups.extend(SIDES.map(|side| patches(side, SWEEP_MATERIALS)));
         Self {
             name: "full",
@@ -218,6 +230,12 @@ impl Plan {
 
 fn is_one_command(mode: &Mode) -> bool {
     matches!(mode.call, Call::Indirect | Call::Instanced)
+}
+
+/// Triangles without and with a storage buffer that nobody reads.
+fn bare(materials: u32, draws: u32, modes: &[&'static Mode]) -> [Group; 2] {
+    let group = |storage| Group::of_all(SceneKind::Bare { storage }, materials, draws, modes);
+    [group(false), group(true)]
 }
 
 /// Squares of one size, each of a material of its own: the single shader in both builds, and switching.

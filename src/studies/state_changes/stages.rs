@@ -1,0 +1,170 @@
+//! Where does a group's every cell draw, and with which of its materials?
+
+use super::plan::{Cell, Group, SceneKind, most_pipelines};
+use super::{BenchError, Options};
+use crate::gpu::{self, PipelineCache};
+use crate::render::Renderer;
+use crate::render::state_changes::{BareCase, BareStage, Case, Drawing, Mode, Stage};
+use crate::scene::{Order, Scene};
+
+/// Distinct pictures that are made; further materials share them in turn. Every device has this many layers.
+pub const MOST_PICTURES: u32 = 256;
+
+/// A group's scenes on the host, which its stages borrow.
+pub struct Scenes {
+    /// None for bare triangles.
+    scenes: Vec<Ordered>,
+    distinct: u32,
+    size: (u32, u32),
+}
+
+/// The scene of one order.
+struct Ordered {
+    order: Order,
+    /// Whether materials beyond those that have pipelines of their own look like those in turn.
+    folded: bool,
+    scene: Scene,
+}
+
+impl Scenes {
+    /// Makes them.
+    ///
+    /// # Errors
+    /// None that a built program has.
+    pub fn new(renderer: &Renderer, group: &Group, options: &Options) -> Result<Self, BenchError> {
+        let distinct = most_pipelines(renderer.device().info().kind).min(group.materials);
+        let pictures = group
+            .cells
+            .iter()
+            .any(|cell| cell.mode.source.has_pictures());
+        let pictures = if pictures { MOST_PICTURES } else { 0 };
+        let mut scenes = Vec::new();
+        let bare = matches!(group.scene, SceneKind::Bare { .. });
+        for order in Order::ALL.into_iter().filter(|_| !bare) {
+            let of_order = || group.cells.iter().filter(|cell| cell.order == order);
+            let baked = of_order().any(|cell| cell.mode.source.is_baked());
+            for folded in [false, true] {
+                let wanted = match folded {
+                    false => of_order().count() > 0,
+                    true => baked && distinct < group.materials,
+                };
+                if wanted {
+                    let distinct = if folded { distinct } else { group.materials };
+                    let scene = group.wall(distinct, pictures).scene(order, options.seed)?;
+                    scenes.push(Ordered {
+                        order,
+                        folded,
+                        scene,
+                    });
+                }
+            }
+        }
+        Ok(Self {
+            scenes,
+            distinct,
+            size: group.wall(distinct, 0).size(),
+        })
+    }
+
+    /// Pixels of the picture.
+    pub fn size(&self) -> (u32, u32) {
+        self.size
+    }
+}
+
+/// A group's scenes on the device.
+pub enum Stages<'s> {
+    /// Walls, as `Scenes` has them.
+    Walls(&'s Scenes, Vec<Stage<'s>>),
+    /// Bare triangles.
+    Bare(BareStage),
+}
+
+impl<'s> Stages<'s> {
+    /// Uploads them.
+    ///
+    /// # Errors
+    /// A scene is beyond the device, there is no memory, or the driver fails.
+    pub fn new(
+        renderer: &'s Renderer,
+        group: &Group,
+        scenes: &'s Scenes,
+    ) -> Result<Self, BenchError> {
+        if let SceneKind::Bare { storage } = group.scene {
+            let wall = group.wall(group.materials, 0);
+            return Ok(Self::Bare(BareStage::new(
+                renderer.device(),
+                wall,
+                storage,
+            )?));
+        }
+        let stages = scenes.scenes.iter();
+        let stages = stages.map(|ordered| Stage::new(renderer, &ordered.scene, scenes.size));
+        Ok(Self::Walls(scenes, stages.collect::<Result<_, _>>()?))
+    }
+
+    /// A mode, ready to draw where a cell draws.
+    ///
+    /// # Errors
+    /// The device cannot, there is no memory, or the driver fails.
+    pub fn case<'a>(
+        &'a self,
+        cell: &Cell,
+        mode: &'static Mode,
+        discard: bool,
+        cache: &PipelineCache,
+    ) -> Result<Box<dyn Drawing + 'a>, gpu::Error> {
+        Ok(match self {
+            Self::Walls(scenes, stages) => {
+                let stage = &stages[place(scenes, cell)];
+                Box::new(Case::new(stage, mode, discard, cache)?)
+            }
+            Self::Bare(stage) => Box::new(BareCase::new(stage, mode, cell.order, cache)?),
+        })
+    }
+
+    /// Which of the pictures that a group leaves is this cell's.
+    pub fn picture(&self, cell: &Cell) -> PictureKey {
+        let of = cell.mode.picture_of();
+        match self {
+            Self::Walls(scenes, _) => PictureKey {
+                of,
+                folded: scenes.scenes[place(scenes, cell)].folded,
+                order: None,
+            },
+            // Shades follow the number of the draw, not the place.
+            Self::Bare(_) => PictureKey {
+                of,
+                folded: false,
+                order: Some(cell.order),
+            },
+        }
+    }
+
+    /// How many pipelines there are for materials, where not all have one.
+    pub fn cap(&self, cell: &Cell) -> Option<u32> {
+        match self {
+            Self::Walls(scenes, _) => {
+                let folded = scenes.scenes[place(scenes, cell)].folded;
+                folded.then_some(scenes.distinct)
+            }
+            Self::Bare(_) => None,
+        }
+    }
+}
+
+/// Cells of one key leave one picture.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct PictureKey {
+    /// The mode that leaves it, if a cell leaves any.
+    pub of: Option<&'static str>,
+    folded: bool,
+    order: Option<Order>,
+}
+
+/// The scene of a cell. Folded scenes come after those that are not.
+fn place(scenes: &Scenes, cell: &Cell) -> usize {
+    let baked = cell.mode.source.is_baked();
+    let mine = |scene: &Ordered| scene.order == cell.order && (!scene.folded || baked);
+    scenes.scenes.iter().rposition(mine).unwrap_or_default()
+}
