@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! 4  cli                    parse, call one function, print
-//! 3  studies  report        ask a question, return a table; a table -> JSON
+//! 3  studies  report        ask a question, return a table; a table -> terminal, JSON, CSV, a page
 //! 2  render   scene         scene -> frame; what a user can describe, and the loaders
 //! 1  gpu                    Vulkan, safely: the only floor with ash and unsafe
 //! 0  math  reference        f64: quadrature, statistics; the lighting models as the papers state them
@@ -12,7 +12,8 @@
 //!
 //! Absent on purpose, and held by a test (`tests/cpu/tidy.rs`): `unsafe` above `gpu`; any word of
 //! `interface` in `reference`, so that the truth cannot inherit a shader's mistake; a pipeline or a
-//! descriptor set for one material (but in the build `material`, which is there to be measured against).
+//! descriptor set for one material (but in the build `material` and in `render::state_changes`, which are there to be
+//! measured against).
 //!
 //! Units: metres, +y up, right-handed; linear sRGB; photometric (lx, cd, cd/m^2).
 

@@ -1,162 +1,95 @@
-//! How does `umber bench` go from a plan to rows?
+//! How does `umber bench` go from a plan to rows, and from rows to what people read?
 
 mod arguments;
+mod measuring;
+mod places;
 
 pub use arguments::Arguments;
 
-use std::sync::Arc;
+use std::path::Path;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use measuring::{measured, print_creation};
+use places::Places;
 
 use crate::cli::exit::{Exit, Failure};
-use crate::cli::options::count;
-use crate::cli::output::{Output, print_bytes, talk, write_json};
-use crate::gpu::Device;
-use crate::render::Renderer;
-use crate::render::state_changes::Mode;
-use crate::report::{BenchReport, Machine, Method, Program};
-use crate::studies::OwnProcessError;
-use crate::studies::state_changes::{
-    Creation, Group, Options, break_evens, creation_here, measure,
-};
+use crate::cli::output::talk;
+use crate::report::{BenchReport, Comparison, compare, read_bench};
 
-/// Measures, keeps, prints.
+/// Measures, keeps, prints, compares.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(mode) = arguments.creation_of {
         return print_creation(arguments, mode);
     }
-    let report = measured(arguments)?;
-    if let Some(json) = arguments.json.open()? {
-        write_json(json, &report)?;
-    }
-    Ok(())
-}
-
-/// The one figure that a process of its own is asked for.
-fn print_creation(arguments: &Arguments, mode: &'static Mode) -> Result<(), Failure> {
-    let device = arguments.device.open()?;
-    let cache = dirs::cache_dir().map(|folder| folder.join("umber"));
-    let renderer = Renderer::new(&device, None)?;
-    let (scene, materials) = arguments.creation();
-    let options = arguments.options(1);
-    let ms = creation_here(
-        &renderer,
-        cache.as_deref(),
-        (scene, materials, mode),
-        &options,
-    )?;
-    print_bytes(format!("{{\"creation_ms\": {ms}}}\n").as_bytes())
-}
-
-fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
-    let device = arguments.device.open()?;
-    let renderer = Renderer::new(&device, None)?;
-    let plan = arguments.plan(device.info().kind);
-    let options = arguments.options(plan.rounds);
-    let mut report = new_report(arguments, &device, plan.name, &options);
-    let todo = plan.missing(&report.rows);
-    let bar = progress_bar(arguments, &todo.groups, &options);
-    let mut bench = Bench {
-        arguments,
-        renderer: &renderer,
-        options: &options,
-        creation: creation(arguments)?,
-        bar: &bar,
+    let places = Places::open(arguments)?;
+    let read_report = |path: &std::path::PathBuf| read(path);
+    let baseline = arguments.baseline.as_ref().map(read_report).transpose()?;
+    let report = match &arguments.read {
+        Some(path) => read(path)?,
+        None => measured(arguments)?,
     };
-    let done = todo
-        .groups
+    places.write(&report)?;
+    match baseline {
+        Some(old) => judge(arguments, &old, &report),
+        None => Ok(()),
+    }
+}
+
+/// An earlier report, checked.
+pub(super) fn read(path: &Path) -> Result<BenchReport, Failure> {
+    let place = path.display();
+    let bytes = std::fs::read(path)
+        .map_err(|error| Failure::new(Exit::File, format_args!("cannot read {place}: {error}")))?;
+    read_bench(&bytes).map_err(|error| Failure::new(Exit::File, format_args!("{place}: {error}")))
+}
+
+/// Says what changed, and fails where something grew past the threshold.
+fn judge(arguments: &Arguments, old: &BenchReport, new: &BenchReport) -> Result<(), Failure> {
+    let comparison = compare(old, new).map_err(|error| Failure::new(Exit::Usage, error))?;
+    tell(&comparison, new);
+    let grown = comparison
+        .changes
         .iter()
-        .try_for_each(|group| bench.group(group, &mut report));
-    bar.finish_and_clear();
-    // Also, and above all, where a frame failed.
-    let messages = device.instance().validation_log().drain();
-    messages.iter().for_each(talk);
-    done?;
-    match messages.len() {
-        0 => Ok(report),
-        number => {
-            let number = count(number as u64, "message");
-            let message = format!("the validation layers had {number}");
-            Err(Failure::new(Exit::Validation, message))
+        .filter(|change| change.beyond_spread && change.factor > arguments.threshold);
+    match grown.count() {
+        0 => Ok(()),
+        count => {
+            let message = format!(
+                "{count} of {} figures grew beyond the spread and by more than {} times",
+                comparison.changes.len(),
+                arguments.threshold
+            );
+            Err(Failure::new(Exit::Compared, message))
         }
     }
 }
 
-struct Bench<'a> {
-    arguments: &'a Arguments,
-    renderer: &'a Renderer,
-    options: &'a Options,
-    creation: Option<Creation>,
-    bar: &'a ProgressBar,
-}
-
-impl Bench<'_> {
-    /// Measures a group, and keeps its rows.
-    fn group(&mut self, group: &Group, report: &mut BenchReport) -> Result<(), Failure> {
-        self.bar.set_message(format!(
-            "{}, {}, {}",
-            group.scene.name(),
-            count(group.materials.into(), "material"),
-            count(group.draws.into(), "draw"),
+/// The comparison is talk: stdout has the table.
+fn tell(comparison: &Comparison, new: &BenchReport) {
+    for change in comparison.changes.iter().filter(|c| c.beyond_spread) {
+        let row = &new.rows[change.row];
+        talk(format_args!(
+            "{}, {}, {}, {} materials, {} draws: {} was {:.3}, is {:.3} ({:.2} times)",
+            row.mode,
+            row.order,
+            row.scene,
+            row.materials,
+            row.draws,
+            change.quantity,
+            change.old,
+            change.new,
+            change.factor,
         ));
-        let mut rows = measure(self.renderer, group, self.options, &|n| self.bar.inc(n))?;
-        if let Some(creation) = &mut self.creation {
-            creation.add(self.renderer, group, &mut rows)?;
-        }
-        report.rows.extend(rows);
-        report.break_even = break_evens(&report.rows);
-        match self.arguments.kept() {
-            Some(path) => write_json(Output::open(&path)?, report),
-            None => Ok(()),
-        }
     }
-}
-
-fn creation(arguments: &Arguments) -> Result<Option<Creation>, Failure> {
-    if !arguments.measures_creation() {
-        return Ok(None);
+    if let (Some(share), Some(factor)) = (comparison.overlapping, comparison.largest_factor) {
+        talk(format_args!(
+            "{:.1} % of the ratios overlap in their 95 % intervals; the largest factor between two is {factor:.2}",
+            share * 100.0
+        ));
     }
-    let program = std::env::current_exe().map_err(OwnProcessError::from)?;
-    let mut options = Vec::new();
-    if let Some(device) = &arguments.device.device {
-        options.extend(["--device".to_owned(), device.to_string()]);
-    }
-    Ok(Some(Creation::new(program, options)))
-}
-
-fn new_report(
-    arguments: &Arguments,
-    device: &Arc<Device>,
-    plan: &str,
-    options: &Options,
-) -> BenchReport {
-    BenchReport {
-        schema: BenchReport::SCHEMA.to_owned(),
-        device: device.info().into(),
-        machine: Machine::this(),
-        method: Method {
-            name: arguments.method_name().to_owned(),
-            plan: plan.to_owned(),
-            rounds: options.rounds,
-            warm_up: options.warm_up,
-            cell_seconds: options.cell_seconds,
-            seed: options.seed,
-        },
-        rows: Vec::new(),
-        break_even: Vec::new(),
-        program: Program::this(),
-    }
-}
-
-fn progress_bar(arguments: &Arguments, groups: &[Group], options: &Options) -> ProgressBar {
-    if arguments.quiet {
-        return ProgressBar::hidden();
-    }
-    let cells: usize = groups.iter().map(|group| group.cells.len()).sum();
-    let bar = ProgressBar::new(cells as u64 * u64::from(options.rounds));
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta}: {msg}") {
-        Ok(style) => bar.with_style(style),
-        // The default style serves as well.
-        Err(_) => bar,
+    let (old, new) = (comparison.only_old.len(), comparison.only_new.len());
+    if old + new > 0 {
+        talk(format_args!(
+            "{old} rows are in the earlier report alone, {new} in this one"
+        ));
     }
 }

@@ -1,6 +1,5 @@
 //! How does `umber effects` go from scenes to a table of prices?
 
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,7 +13,7 @@ use crate::gpu::Samples;
 use crate::reference::shade::Terms;
 use crate::render::effects::{ALL, Build, EffectSet, Effects};
 use crate::render::{Renderer, Settings, Variant};
-use crate::report::{Bounds, BuildRow, EffectRow, EffectsReport, Program};
+use crate::report::{Align, BuildRow, EffectRow, EffectsReport, Interval95, Program, write_table};
 use crate::scene::{self, LoadOptions, Scene};
 use crate::studies::{self, FirstDraw, Options, OwnProcessError};
 
@@ -245,13 +244,13 @@ fn text(report: &EffectsReport, software: &str, titled: bool) -> String {
         .rows
         .iter()
         .map(|row| (scene(&row.scene), effect_cells(row)));
-    write_table(&mut text, EFFECT_HEAD, effects);
+    write_table(&mut text, EFFECT_HEAD, [Align::Left; 6], effects);
     let builds = report
         .builds
         .iter()
         .map(|row| (scene(&row.scene), build_cells(row)));
     if !report.builds.is_empty() {
-        write_table(&mut text, BUILD_HEAD, builds);
+        write_table(&mut text, BUILD_HEAD, [Align::Left; 7], builds);
     }
     text
 }
@@ -308,8 +307,13 @@ fn build_cells(row: &BuildRow) -> [String; 7] {
     ]
 }
 
-fn range(bounds: &Bounds, digits: usize) -> String {
-    format!("[{:.digits$}, {:.digits$}]", bounds.low, bounds.high)
+/// `[1.2, 1.4]`; a dash for a bound that too few rounds gave.
+fn range(interval: &Interval95, digits: usize) -> String {
+    let bound = |bound: Option<f64>| match bound {
+        Some(bound) => format!("{bound:.digits$}"),
+        None => "-".to_owned(),
+    };
+    format!("[{}, {}]", bound(interval.low), bound(interval.high))
 }
 
 /// The first few by name; JSON has them all.
@@ -322,59 +326,9 @@ fn callers(all: &[String]) -> String {
     }
 }
 
-/// A table: a line for each scene, and under it its rows. Columns are as wide as their widest cell.
-fn write_table<const N: usize>(
-    text: &mut String,
-    head: [&str; N],
-    rows: impl Iterator<Item = (String, [String; N])>,
-) {
-    let rows: Vec<_> = rows.collect();
-    let head = head.map(str::to_owned);
-    let cells = rows.iter().map(|(_, cells)| cells).chain([&head]);
-    let width = |column: usize| cells.clone().map(|row| row[column].chars().count()).max();
-    let widths: [usize; N] = std::array::from_fn(|column| width(column).unwrap_or(0));
-    let mut line = |cells: &[String; N]| {
-        let mut line = String::new();
-        for (cell, width) in cells.iter().zip(widths) {
-            // Writing to a String cannot fail.
-            let _ = write!(line, "{cell:<width$}  ");
-        }
-        text.push_str(line.trim_end());
-        text.push('\n');
-    };
-    let nothing = std::array::from_fn(|_| String::new());
-    line(&nothing);
-    line(&head);
-    let mut last = "";
-    for (scene, cells) in &rows {
-        if scene != last {
-            let mut title = nothing.clone();
-            title[0] = format!("{scene}:");
-            line(&title);
-            last = scene;
-        }
-        line(cells);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_table_has_a_line_for_each_scene_and_even_columns() {
-        let row = |a: &str, b: &str| [a.to_owned(), b.to_owned()];
-        let rows = [
-            ("one.toml", row("x", "1")),
-            ("one.toml", row("longer", "2")),
-            ("two.toml", row("y", "3")),
-        ]
-        .map(|(scene, cells)| (scene.to_owned(), cells));
-        let mut text = String::new();
-        write_table(&mut text, ["name", "n"], rows.into_iter());
-        let want = "\nname    n\none.toml:\nx       1\nlonger  2\ntwo.toml:\ny       3\n";
-        assert_eq!(text, want);
-    }
 
     #[test]
     fn many_callers_are_told_by_their_first_two() {

@@ -79,7 +79,9 @@ impl From<BenchError> for Failure {
         let exit = match error {
             BenchError::Render(error) => return error.into(),
             BenchError::Scene(error) => return error.into(),
-            BenchError::Mode(_) | BenchError::TooManyDraws { .. } => Exit::Usage,
+            BenchError::Mode(_) | BenchError::TooManyDraws { .. } | BenchError::TooLarge { .. } => {
+                Exit::Usage
+            }
             BenchError::OtherPicture { .. } | BenchError::OtherCommands { .. } => Exit::Compared,
         };
         Self::new(exit, error)

@@ -25,7 +25,7 @@ struct Cli {
     verb: Verb,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 ok; 2 usage; 3 no suitable device or driver; \
+const EXIT_CODES: &str = "Exit codes: 0 ok; 1 a comparison failed or a threshold was passed; 2 usage; 3 no suitable device or driver; \
     4 a validation message; 5 the picture holds a NaN or an infinity; \
     6 a file could not be read or written.\n\
     Data goes to stdout, everything else to stderr.";

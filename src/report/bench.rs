@@ -1,5 +1,6 @@
 //! What does one pipeline save: as rows?
 
+use super::interval::Interval95;
 use super::provenance::{Device, Machine, Program};
 
 /// `umber.bench/1`.
@@ -42,15 +43,6 @@ pub struct Method {
     pub cell_seconds: f64,
     /// Orders draws and rounds.
     pub seed: u64,
-}
-
-/// An interval with a confidence of 95 %.
-#[derive(Clone, Copy, PartialEq, Debug, serde::Serialize, serde::Deserialize)]
-pub struct Interval95 {
-    /// From here; null where too few samples bound it.
-    pub low: Option<f64>,
-    /// To here.
-    pub high: Option<f64>,
 }
 
 /// One mode in one scene. A figure is null where it does not exist or could not be had; `note` says why.

@@ -1,5 +1,6 @@
 //! Which effects does a scene call for, and what does each cost: as rows?
 
+use super::interval::Interval95;
 use super::provenance::{Device, Program};
 
 /// `umber.effects/1`.
@@ -30,15 +31,6 @@ impl EffectsReport {
     pub const SCHEMA: &'static str = "umber.effects/1";
 }
 
-/// A measured difference or ratio with the bounds of its 95 % interval; null where there were too few rounds.
-#[derive(Clone, Copy, PartialEq, Debug, serde::Serialize)]
-pub struct Bounds {
-    /// From here.
-    pub low: f64,
-    /// To here.
-    pub high: f64,
-}
-
 /// One effect in one scene.
 #[derive(Clone, PartialEq, Debug, serde::Serialize)]
 pub struct EffectRow {
@@ -55,11 +47,11 @@ pub struct EffectRow {
     /// Median of the differences, pair by pair; null where nobody calls for it.
     pub cost_ms: Option<f64>,
     /// Its interval.
-    pub cost_ms_95: Option<Bounds>,
+    pub cost_ms_95: Option<Interval95>,
     /// The frame in which it is compiled in and no record may have it, over the frame without it, less 1.
     pub unused_cost_percent: f64,
     /// Its interval.
-    pub unused_cost_percent_95: Bounds,
+    pub unused_cost_percent_95: Interval95,
 }
 
 /// One build of one scene.
@@ -81,7 +73,7 @@ pub struct BuildRow {
     /// Its frame over that of the build `scene`, pair by pair.
     pub relative: f64,
     /// Its interval.
-    pub relative_95: Bounds,
+    pub relative_95: Interval95,
     /// The largest |a - b| / (|b| + 0.1 cd/m^2) against the build `dynamic`: 1e-5 is 1e-5 relative and
     /// 1e-6 absolute.
     pub max_difference: f64,

@@ -1,11 +1,30 @@
-//! How does a result leave the program for other programs?
+//! How does a result leave the program for other programs, and for people?
 
 mod bench;
+mod bench_baseline;
+mod bench_compare;
+mod bench_csv;
+mod bench_headlines;
+mod bench_page;
+mod bench_plots;
+mod bench_table;
+mod bench_words;
 mod effects;
+mod interval;
+mod plot;
 mod provenance;
 mod render;
+mod table;
 
-pub use bench::{BenchReport, BenchRow, BreakEven, Interval95, Method};
-pub use effects::{Bounds, BuildRow, EffectRow, EffectsReport};
+pub use bench::{BenchReport, BenchRow, BreakEven, Method};
+pub use bench_baseline::{BadBaseline, read as read_bench};
+pub use bench_compare::{Change, Comparison, OtherDevice, compare};
+pub use bench_csv::csv as bench_csv;
+pub use bench_headlines::{Headline, headlines};
+pub use bench_page::page as bench_page;
+pub use bench_table::table as bench_table;
+pub use effects::{BuildRow, EffectRow, EffectsReport};
+pub use interval::Interval95;
 pub use provenance::{Device, Machine, Program};
 pub use render::{Image, RenderReport, SceneSize};
+pub use table::{Align, write_table};

@@ -6,7 +6,7 @@
 use crate::math::statistics::{Interval, median, paired_difference, paired_ratio};
 use crate::render::effects::{Build, Caller, Census, Effect, EffectSet, Effects};
 use crate::render::{Frame, FrameReport, Picture, RenderError, Renderer, Settings, Uploaded};
-use crate::report::{Bounds, BuildRow, EffectRow};
+use crate::report::{BuildRow, EffectRow, Interval95};
 use crate::scene::Scene;
 
 /// How a scene is measured.
@@ -115,9 +115,9 @@ impl<'a> Bench<'a> {
             frame_ms_with: with.map(|with| middle(with)),
             frame_ms_without: middle(&times[0]),
             cost_ms: cost.map(|cost| cost.estimate),
-            cost_ms_95: cost.map(|cost| bounds(&cost, |x| x)),
+            cost_ms_95: cost.map(Interval95::from),
             unused_cost_percent: percent(unused.estimate),
-            unused_cost_percent_95: bounds(&unused, percent),
+            unused_cost_percent_95: Interval95::from(unused).map(percent),
         })
     }
 
@@ -148,7 +148,7 @@ impl<'a> Bench<'a> {
                     first_draw_warm_ms: None,
                     frame_ms: middle(times),
                     relative: relative.estimate,
-                    relative_95: bounds(&relative, |x| x),
+                    relative_95: relative.into(),
                     max_difference: picture.max_difference(&pictures[0]),
                 }
             })
@@ -196,13 +196,6 @@ fn difference(a: &[f64], b: &[f64]) -> Interval {
 
 fn pairs(a: &[f64], b: &[f64]) -> Vec<(f64, f64)> {
     a.iter().copied().zip(b.iter().copied()).collect()
-}
-
-fn bounds(interval: &Interval, of: fn(f64) -> f64) -> Bounds {
-    Bounds {
-        low: of(interval.low),
-        high: of(interval.high),
-    }
 }
 
 /// How much more than 1, in percent.

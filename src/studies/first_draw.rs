@@ -5,6 +5,9 @@ use std::path::PathBuf;
 use super::own_process::{ColdAndWarm, OwnProcess, OwnProcessError};
 use crate::render::effects::Build;
 
+/// Processes of a kind whose median counts.
+const RUNS: usize = 3;
+
 /// A program, a scene, and the rest of the command line.
 #[derive(Clone, Debug)]
 pub struct FirstDraw {
@@ -33,7 +36,7 @@ impl FirstDraw {
             program: self.program.clone(),
             arguments,
         };
-        process.cold_and_warm("/frame/first_draw_ms", &|folder| {
+        process.cold_and_warm("/frame/first_draw_ms", RUNS, &|folder| {
             let picture = folder.join("picture.exr");
             vec!["--output".to_owned(), picture.display().to_string()]
         })

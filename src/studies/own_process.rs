@@ -6,8 +6,6 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Runs of a kind whose median counts, while they are short.
-const RUNS: usize = 3;
 /// Runs of a kind end once they took this long, s.
 const SECONDS: f64 = 3.0;
 
@@ -41,7 +39,7 @@ pub enum OwnProcessError {
 }
 
 impl OwnProcess {
-    /// The median of the figure at `pointer` (RFC 6901) in its reports. `extra` adds to the command line what goes into a
+    /// The median of the figure at `pointer` (RFC 6901) in its reports, of `runs` while they are short. `extra` adds to the command line what goes into a
     /// folder of the run's own.
     ///
     /// # Errors
@@ -49,6 +47,7 @@ impl OwnProcess {
     pub fn cold_and_warm(
         &self,
         pointer: &str,
+        runs: usize,
         extra: &dyn Fn(&Path) -> Vec<String>,
     ) -> Result<ColdAndWarm, OwnProcessError> {
         let folder = tempfile::tempdir()?;
@@ -61,10 +60,10 @@ impl OwnProcess {
             std::fs::create_dir_all(&caches)?;
             self.run(pointer, &caches, &extra(&caches), cold)
         };
-        let cold = median_of(|number| run(true, number))?;
+        let cold = median_of(runs, |number| run(true, number))?;
         // Fills the caches.
         run(false, 0)?;
-        let warm = median_of(|number| run(false, number))?;
+        let warm = median_of(runs, |number| run(false, number))?;
         Ok(ColdAndWarm { cold, warm })
     }
 
@@ -103,10 +102,13 @@ impl OwnProcess {
 }
 
 /// The median of a few runs; of fewer where they are long.
-fn median_of(run: impl Fn(usize) -> Result<f64, OwnProcessError>) -> Result<f64, OwnProcessError> {
+fn median_of(
+    runs: usize,
+    run: impl Fn(usize) -> Result<f64, OwnProcessError>,
+) -> Result<f64, OwnProcessError> {
     let before = std::time::Instant::now();
     let mut figures = Vec::new();
-    while figures.is_empty() || figures.len() < RUNS && before.elapsed().as_secs_f64() < SECONDS {
+    while figures.is_empty() || figures.len() < runs && before.elapsed().as_secs_f64() < SECONDS {
         figures.push(run(figures.len())?);
     }
     Ok(crate::math::statistics::median(&figures).unwrap_or(f64::NAN))

@@ -1,6 +1,7 @@
 //! Do the parts that need no GPU do what they say?
 
 mod beckmann;
+mod bench_report;
 mod constants;
 mod cook_torrance;
 mod coordinates;
@@ -35,3 +36,4 @@ mod tidy;
 #[path = "../tolerances.rs"]
 mod tolerances;
 mod v_cavity;
+mod wall;

@@ -1,5 +1,6 @@
 //! Does the program end with the right code, say why, and leave no half-written file?
 
+mod bench;
 mod devices;
 mod effects;
 mod inputs;

@@ -29,7 +29,7 @@ pub struct Arguments {
     /// Numbers of materials [default: 64]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number(MOST_MATERIALS))]
     materials: Vec<u32>,
-    /// Numbers of draws [default: 10000]
+    /// Numbers of draws; patches are drawn once each [default: 10000]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number(MOST_DRAWS))]
     draws: Vec<u32>,
     /// Frames of each cell that count; fewer than 6 have no interval [default: 11 or 12]
@@ -145,6 +145,10 @@ impl Arguments {
         let mut groups = Vec::new();
         for scene in scenes {
             for materials in or(&self.materials, MATERIALS) {
+                if matches!(scene, SceneKind::Patches(_)) {
+                    groups.extend(Plan::patches(materials));
+                    continue;
+                }
                 for draws in or(&self.draws, draws) {
                     groups.push(Group::of_all(scene, materials, draws, &modes));
                 }
@@ -173,6 +177,11 @@ impl Arguments {
             seed: self.seed,
             timing: self.timing(),
         }
+    }
+
+    /// Whether a minute must suffice.
+    pub fn is_quick(&self) -> bool {
+        !self.full && !self.is_custom()
     }
 
     /// What reports call the method.

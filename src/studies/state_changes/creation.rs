@@ -64,15 +64,17 @@ pub fn here(
 pub struct Creation {
     program: PathBuf,
     arguments: Vec<String>,
+    runs: usize,
     known: Vec<((&'static str, u32, &'static str), ColdAndWarm)>,
 }
 
 impl Creation {
-    /// `program` is `umber` itself, `arguments` what `umber bench` is told of the device.
-    pub fn new(program: PathBuf, arguments: Vec<String>) -> Self {
+    /// `program` is `umber` itself, `arguments` what `umber bench` is told of the device; the median of `runs` counts.
+    pub fn new(program: PathBuf, arguments: Vec<String>, runs: usize) -> Self {
         Self {
             program,
             arguments,
+            runs,
             known: Vec::new(),
         }
     }
@@ -125,7 +127,7 @@ impl Creation {
             program: self.program.clone(),
             arguments,
         };
-        let times = process.cold_and_warm("/creation_ms", &|_| Vec::new())?;
+        let times = process.cold_and_warm("/creation_ms", self.runs, &|_| Vec::new())?;
         self.known.push((key, times));
         Ok(times)
     }

@@ -51,7 +51,10 @@ fn check_records(renderer: &Renderer, group: &Group) -> Result<(), BenchError> {
             most: limit / size_of::<crate::interface::Instance>() as u64,
         });
     }
-    Ok(())
+    let (width, height) = group.wall(group.materials, 0).size();
+    let draws = group.draws;
+    let size = renderer.device().check_target_size(width, height);
+    size.map_err(|error| BenchError::TooLarge { draws, error })
 }
 
 struct Bench<'a> {

@@ -67,6 +67,14 @@ pub enum BenchError {
         /// What there is room for.
         most: u64,
     },
+    /// More draws than a picture has cells that this device can have.
+    #[error("{draws} draws: {error}")]
+    TooLarge {
+        /// What was asked for.
+        draws: u32,
+        /// What is beyond the device.
+        error: gpu::Error,
+    },
     /// A mode leaves another picture than its base.
     #[error("{cell}: its picture differs by {difference:.1e} from the one that it must equal")]
     OtherPicture {

@@ -203,12 +203,17 @@ impl Plan {
             }
         }
         groups.extend(bare(SWEEP_MATERIALS, SWEEP_DRAWS, &all));
-        groups.extend(SIDES.map(|side| patches(side, SWEEP_MATERIALS)));
+        groups.extend(Self::patches(SWEEP_MATERIALS));
         Self {
             name: "full",
             groups,
             rounds: 12,
         }
+    }
+
+    /// Squares of every measured size, one for each material.
+    pub fn patches(materials: u32) -> impl Iterator<Item = Group> {
+        SIDES.into_iter().map(move |side| patches(side, materials))
     }
 
     /// The cells that it has and `rows` has not, each with its base.
@@ -266,6 +271,33 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn what_is_missing_is_what_no_row_has() {
+        let plan = Plan::quick();
+        let group = &plan.groups[0];
+        let options = |cell: &Cell| {
+            let timing = super::super::Timing::Submit;
+            super::super::rows::row(group, cell, (5, 5), None, Vec::new(), timing)
+        };
+        let rows: Vec<_> = group.cells.iter().skip(2).map(options).collect();
+        let missing = plan.missing(&rows);
+        assert_eq!(missing.groups.len(), plan.groups.len());
+        assert_eq!(missing.groups[0].cells, group.cells[..2]);
+        assert_eq!(missing.groups[1..], plan.groups[1..]);
+        let all: Vec<_> = group.cells.iter().map(options).collect();
+        assert_eq!(plan.missing(&all).groups, plan.groups[1..]);
+    }
+
+    #[test]
+    fn patches_of_two_sizes_are_two_groups() {
+        let small = patches(8, 16);
+        let timing = super::super::Timing::Submit;
+        let cell = small.cells[0];
+        let row = super::super::rows::row(&small, &cell, (5, 5), None, Vec::new(), timing);
+        assert!(small.has(&cell, &row));
+        assert!(!patches(64, 16).has(&cell, &row));
     }
 
     #[test]

@@ -82,7 +82,7 @@ fn fill(row: &mut BenchRow, measured: &Measured, timing: Timing) {
     row.samples = record.len() as u32;
     let record = ratio(measured, |sample| Some(sample.record_ns));
     row.record_relative = record.map(|ratio| ratio.estimate);
-    row.record_relative_95 = record.map(bounds);
+    row.record_relative_95 = record.map(Interval95::from);
     let mut relative = record;
     if timing == Timing::Submit {
         let submit = values(measured.samples, |sample| Some(sample.submit_to_idle_ms));
@@ -94,7 +94,7 @@ fn fill(row: &mut BenchRow, measured: &Measured, timing: Timing) {
         relative = ratio(measured, |sample| Some(sample.submit_to_idle_ms));
     }
     row.relative = relative.map(|ratio| ratio.estimate);
-    row.relative_95 = relative.map(bounds);
+    row.relative_95 = relative.map(Interval95::from);
     row.draw_calls = measured.counts.draws;
     row.pipeline_binds = measured.counts.pipeline_binds;
     row.descriptor_set_binds = measured.counts.descriptor_set_binds;
@@ -118,14 +118,6 @@ fn ratio(measured: &Measured, of: impl Fn(&Sample) -> Option<f64>) -> Option<Int
     paired_ratio(&pairs.collect::<Vec<_>>())
 }
 
-fn bounds(interval: Interval) -> Interval95 {
-    let finite = |bound: f64| bound.is_finite().then_some(bound);
-    Interval95 {
-        low: finite(interval.low),
-        high: finite(interval.high),
-    }
-}
-
 /// Where the frames do not say enough.
 fn warnings(row: &BenchRow) -> Option<String> {
     let estimate = row.relative?;
@@ -133,9 +125,7 @@ fn warnings(row: &BenchRow) -> Option<String> {
         Some(Interval95 {
             low: Some(low),
             high: Some(high),
-        }) if high - low > NOISY * estimate => Some(format!(
-            "noisy: the ratio is between {low:.2} and {high:.2}"
-        )),
+        }) if high - low > NOISY * estimate => Some(format!("noisy: {low:.2} to {high:.2}")),
         Some(Interval95 {
             low: Some(_),
             high: Some(_),

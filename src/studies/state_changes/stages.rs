@@ -77,7 +77,7 @@ pub enum Stages<'s> {
     /// Walls, as `Scenes` has them.
     Walls(&'s Scenes, Vec<Stage<'s>>),
     /// Bare triangles.
-    Bare(BareStage),
+    Bare(Box<BareStage>),
 }
 
 impl<'s> Stages<'s> {
@@ -92,11 +92,8 @@ impl<'s> Stages<'s> {
     ) -> Result<Self, BenchError> {
         if let SceneKind::Bare { storage } = group.scene {
             let wall = group.wall(group.materials, 0);
-            return Ok(Self::Bare(BareStage::new(
-                renderer.device(),
-                wall,
-                storage,
-            )?));
+            let stage = BareStage::new(renderer.device(), wall, storage)?;
+            return Ok(Self::Bare(Box::new(stage)));
         }
         let stages = scenes.scenes.iter();
         let stages = stages.map(|ordered| Stage::new(renderer, &ordered.scene, scenes.size));

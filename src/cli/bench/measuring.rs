@@ -1,0 +1,191 @@
+//! How are cells measured one group after the other, so that a run that is killed keeps what it has?
+
+use std::path::Path;
+use std::sync::Arc;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::arguments::Arguments;
+use crate::cli::exit::{Exit, Failure};
+use crate::cli::options::{count, software};
+use crate::cli::output::{Output, print_bytes, talk, write_json};
+use crate::gpu::Device;
+use crate::render::Renderer;
+use crate::render::state_changes::Mode;
+use crate::report::{BenchReport, Machine, Method, Program};
+use crate::studies::OwnProcessError;
+use crate::studies::state_changes::{
+    Creation, Group, Options, Plan, break_evens, creation_here, measure,
+};
+
+/// The one figure that a process of its own is asked for.
+pub fn print_creation(arguments: &Arguments, mode: &'static Mode) -> Result<(), Failure> {
+    let device = arguments.device.open()?;
+    let cache = dirs::cache_dir().map(|folder| folder.join("umber"));
+    let renderer = Renderer::new(&device, None)?;
+    let (scene, materials) = arguments.creation();
+    let options = arguments.options(1);
+    let what = (scene, materials, mode);
+    let ms = creation_here(&renderer, cache.as_deref(), what, &options)?;
+    print_bytes(format!("{{\"creation_ms\": {ms}}}\n").as_bytes())
+}
+
+/// What the plan asks for and an earlier run does not have yet.
+pub fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
+    let device = arguments.device.open()?;
+    let plan = arguments.plan(device.info().kind);
+    let options = arguments.options(plan.rounds);
+    let mut report = new_report(arguments, &device, &plan, &options);
+    if let Some(path) = &arguments.resume {
+        report.rows = resumed(path, &report)?.rows;
+    }
+    let todo = plan.missing(&report.rows);
+    say_what(arguments, &device, &todo);
+    let renderer = Renderer::new(&device, None)?;
+    let bar = progress_bar(arguments, &todo.groups, &options);
+    let mut bench = Bench {
+        arguments,
+        renderer: &renderer,
+        options: &options,
+        creation: creation(arguments)?,
+        bar: &bar,
+    };
+    let mut groups = todo.groups.iter();
+    let done = groups.try_for_each(|group| bench.group(group, &mut report));
+    bar.finish_and_clear();
+    // Also, and above all, where a frame failed.
+    let messages = device.instance().validation_log().drain();
+    messages.iter().for_each(talk);
+    done?;
+    report.break_even = break_evens(&report.rows);
+    match messages.len() {
+        0 => Ok(report),
+        number => {
+            let number = count(number as u64, "message");
+            let message = format!("the validation layers had {number}");
+            Err(Failure::new(Exit::Validation, message))
+        }
+    }
+}
+
+/// The report of a run that was killed, if this run can go on with it.
+fn resumed(path: &Path, new: &BenchReport) -> Result<BenchReport, Failure> {
+    let old = super::read(path)?;
+    let differs = [
+        ("device", old.device != new.device),
+        ("machine", old.machine != new.machine),
+        ("method, plan, rounds or seed", old.method != new.method),
+        ("version of Umber", old.program != new.program),
+    ];
+    match differs.iter().find(|(_, differs)| *differs) {
+        None => Ok(old),
+        Some((what, _)) => {
+            let message = format!(
+                "{}: it has another {what}: measure anew, or give what that run was given",
+                path.display()
+            );
+            Err(Failure::new(Exit::Usage, message))
+        }
+    }
+}
+
+fn say_what(arguments: &Arguments, device: &Device, todo: &Plan) {
+    if arguments.quiet {
+        return;
+    }
+    let info = device.info();
+    let cells: usize = todo.groups.iter().map(|group| group.cells.len()).sum();
+    let kept = match arguments.kept() {
+        Some(path) => format!(", kept in {} as they come in", path.display()),
+        None => String::new(),
+    };
+    talk(format_args!(
+        "{}{}: {}{kept}",
+        info.name,
+        software(info.kind),
+        count(cells as u64, "cell"),
+    ));
+}
+
+struct Bench<'a> {
+    arguments: &'a Arguments,
+    renderer: &'a Renderer,
+    options: &'a Options,
+    creation: Option<Creation>,
+    bar: &'a ProgressBar,
+}
+
+impl Bench<'_> {
+    /// Measures a group, and keeps its rows.
+    fn group(&mut self, group: &Group, report: &mut BenchReport) -> Result<(), Failure> {
+        self.bar.set_message(format!(
+            "{}, {}, {}",
+            group.scene.name(),
+            count(group.materials.into(), "material"),
+            count(group.draws.into(), "draw"),
+        ));
+        let mut rows = measure(self.renderer, group, self.options, &|n| self.bar.inc(n))?;
+        if let Some(creation) = &mut self.creation {
+            creation.add(self.renderer, group, &mut rows)?;
+        }
+        report.rows.extend(rows);
+        report.break_even = break_evens(&report.rows);
+        match self.arguments.kept() {
+            Some(path) => write_json(Output::open(&path)?, report),
+            None => Ok(()),
+        }
+    }
+}
+
+fn creation(arguments: &Arguments) -> Result<Option<Creation>, Failure> {
+    if !arguments.measures_creation() {
+        return Ok(None);
+    }
+    let program = std::env::current_exe().map_err(OwnProcessError::from)?;
+    let mut options = Vec::new();
+    if let Some(device) = &arguments.device.device {
+        options.extend(["--device".to_owned(), device.to_string()]);
+    }
+    let runs = if arguments.is_quick() { 1 } else { RUNS };
+    Ok(Some(Creation::new(program, options, runs)))
+}
+
+/// Processes of a kind whose median counts.
+const RUNS: usize = 3;
+
+fn new_report(
+    arguments: &Arguments,
+    device: &Arc<Device>,
+    plan: &Plan,
+    options: &Options,
+) -> BenchReport {
+    BenchReport {
+        schema: BenchReport::SCHEMA.to_owned(),
+        device: device.info().into(),
+        machine: Machine::this(),
+        method: Method {
+            name: arguments.method_name().to_owned(),
+            plan: plan.name.to_owned(),
+            rounds: options.rounds,
+            warm_up: options.warm_up,
+            cell_seconds: options.cell_seconds,
+            seed: options.seed,
+        },
+        rows: Vec::new(),
+        break_even: Vec::new(),
+        program: Program::this(),
+    }
+}
+
+fn progress_bar(arguments: &Arguments, groups: &[Group], options: &Options) -> ProgressBar {
+    if arguments.quiet {
+        return ProgressBar::hidden();
+    }
+    let cells: usize = groups.iter().map(|group| group.cells.len()).sum();
+    let bar = ProgressBar::new(cells as u64 * u64::from(options.rounds));
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {elapsed}: {msg}") {
+        Ok(style) => bar.with_style(style),
+        // The default style serves as well.
+        Err(_) => bar,
+    }
+}

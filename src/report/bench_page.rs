@@ -1,0 +1,235 @@
+//! How does a bench report become a page that needs nothing but itself?
+//!
+//! It is XML as well as HTML, so that a test can read it. Whatever comes from the report is escaped: names are a
+//! driver's, and a report may be anyone's.
+
+use std::fmt::Write as _;
+
+use super::bench::BenchReport;
+use super::bench_headlines::headlines;
+use super::bench_plots::{anchor, figures};
+use super::bench_table::{cells, group_title, heads, is_number};
+use super::bench_words::{count, figure, groups, records_only};
+use super::plot::{escape, put};
+
+/// The page.
+pub fn page(report: &BenchReport) -> String {
+    let title = "What one pipeline saves";
+    let device = escape(&report.device.name);
+    let mut page = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width\"/>\n\
+         <title>{title}: {device}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
+        include_str!("bench_page.css")
+    );
+    put!(
+        page,
+        "<h1>{title}</h1>\n<p class=\"under\">Measured by umber bench on {}, {} {}.</p>\n",
+        device,
+        escape(&report.device.driver),
+        escape(&report.device.driver_version)
+    );
+    write_headlines(&mut page, report);
+    write_figures(&mut page, report);
+    write_method(&mut page, report);
+    write_machine(&mut page, report);
+    write_rows(&mut page, report);
+    page.push_str("</body>\n</html>\n");
+    page
+}
+
+fn write_headlines(page: &mut String, report: &BenchReport) {
+    let headlines = headlines(report);
+    if headlines.is_empty() {
+        return;
+    }
+    page.push_str("<ul class=\"say\">\n");
+    for headline in headlines {
+        let (row, text) = (anchor(headline.row), escape(&headline.text));
+        put!(page, "<li><a href=\"#{row}\">{text}</a></li>\n");
+    }
+    page.push_str("</ul>\n<p class=\"under\">In brackets: intervals with a confidence of 95 %. Each sentence leads to its row.</p>\n");
+}
+
+fn write_figures(page: &mut String, report: &BenchReport) {
+    let figures = figures(report);
+    if figures.is_empty() {
+        return;
+    }
+    page.push_str("<h2>Charts</h2>\n<div class=\"charts\">\n");
+    for figure in figures {
+        let (title, caption) = (escape(&figure.title), escape(&figure.caption));
+        put!(
+            page,
+            "<figure>\n<h3>{title}</h3>\n{}<figcaption>{caption}</figcaption>\n</figure>\n",
+            figure.svg
+        );
+    }
+    page.push_str("</div>\n");
+}
+
+/// What was timed, what the words mean, what it does not say, and how to do it again.
+fn write_method(page: &mut String, report: &BenchReport) {
+    let method = &report.method;
+    page.push_str("<h2>Method</h2>\n<dl>\n");
+    let timed = match records_only(report) {
+        true => "Command buffers are recorded and reset, and never submitted.",
+        false => {
+            "Each frame is recorded, submitted and waited for. record: the host's time to record the commands. \
+             submit-to-idle: from the submission until the device is idle. gpu: between the device's timestamps \
+             around the pass."
+        }
+    };
+    let frames = format!(
+        "Up to {} that count, after {} that do not; a cell that took {} s gets no further frame. The modes of a \
+         cell take turns, a frame each, in an order that each round draws anew.",
+        count(method.rounds.into(), "frame"),
+        count(method.warm_up.into(), "frame"),
+        figure(method.cell_seconds),
+    );
+    let items = [
+        ("timed", timed.to_owned()),
+        ("frames", frames),
+        ("figures", "Medians; ± MAD is the median distance from the median, unscaled.".to_owned()),
+        ("of base", "The median of the ratios to the base's frame of the same round. A clock that changes between \
+          rounds cancels.".to_owned()),
+        ("95 %", "The interval between two order statistics of these ratios, by the sign test: it assumes no \
+          distribution. Fewer than 6 rounds have none.".to_owned()),
+        ("sorted", "All draws of a material follow each other: a switch a material.".to_owned()),
+        ("shuffled", "Draws in an order by chance, the same for all modes: a switch before almost every draw.".to_owned()),
+        ("nothing", "The frame of the harness without any draw: what the other rows contain that is not theirs.".to_owned()),
+        ("same … again", "Binds before every draw what is bound already: the command without the change.".to_owned()),
+        ("scenes", "tiny: triangles of about 8 pixels, the driver's cost. zoo: balls of the built-in materials \
+          under four lamps, a user's cost. patches: squares of growing size, one a material, the single shader's \
+          cost. null: nothing is rasterised. bare: triangles that read one uniform block and no record, a state \
+          command's cost by itself; bare-storage: the same with a storage buffer in the set that no shader reads.".to_owned()),
+        ("clock", report.program.clock.clone()),
+        ("seed", method.seed.to_string()),
+    ];
+    write_items(page, &items);
+    page.push_str("</dl>\n<h2>Limits</h2>\n<ul>\n");
+    for limit in limits(report) {
+        put!(page, "<li>{}</li>\n", escape(limit));
+    }
+    page.push_str("</ul>\n<h2>Again</h2>\n");
+    put!(
+        page,
+        "<pre><code>{}</code></pre>\n",
+        escape(&command(report))
+    );
+}
+
+fn limits(report: &BenchReport) -> Vec<&'static str> {
+    let mut limits = vec![
+        "One device, one driver: another's ratios are other ratios.",
+        "An interval tells how surely these frames know their median. It knows nothing of another day's clock, \
+         heat or neighbours.",
+        "One thread records, and one queue draws.",
+    ];
+    if report.device.kind == "cpu" {
+        limits.push(
+            "A CPU draws: ratios of driver work and of arithmetic are its own, and no graphics card's.",
+        );
+    }
+    if records_only(report) {
+        limits
+            .push("Nothing is submitted: a driver that defers work to the submission seems fast.");
+    }
+    limits
+}
+
+/// What measures the same cells; a custom plan has them from options that no report keeps.
+fn command(report: &BenchReport) -> String {
+    let method = &report.method;
+    let mut command = "umber bench".to_owned();
+    if method.plan == "full" {
+        command.push_str(" --full");
+    }
+    if records_only(report) {
+        command.push_str(" --method vkoverhead");
+    }
+    put!(command, " --seed {} --json=again.json", method.seed);
+    if method.plan == "custom" {
+        command.push_str("   # and the options that chose the cells");
+    }
+    command
+}
+
+fn write_items(page: &mut String, items: &[(&str, String)]) {
+    for (name, text) in items.iter().filter(|(_, text)| !text.is_empty()) {
+        put!(page, "<dt>{}</dt><dd>{}</dd>\n", escape(name), escape(text));
+    }
+}
+
+fn write_machine(page: &mut String, report: &BenchReport) {
+    let (device, machine, program) = (&report.device, &report.machine, &report.program);
+    let gibibytes = |bytes: u64| format!("{:.1} GiB", bytes as f64 / f64::from(1 << 30));
+    page.push_str("<h2>Machine</h2>\n<dl>\n");
+    let items = [
+        ("device", format!("{} ({})", device.name, device.kind)),
+        (
+            "driver",
+            format!("{} {}", device.driver, device.driver_version),
+        ),
+        ("Vulkan", device.api.clone()),
+        ("UUID", device.uuid.clone()),
+        ("processor", machine.processor.clone()),
+        (
+            "threads",
+            machine
+                .threads
+                .map_or(String::new(), |threads| threads.to_string()),
+        ),
+        (
+            "memory",
+            machine.memory_bytes.map_or(String::new(), gibibytes),
+        ),
+        ("system", machine.system.clone()),
+        (
+            "program",
+            format!("umber {}, revision {}", program.version, program.revision),
+        ),
+    ];
+    write_items(page, &items);
+    page.push_str("</dl>\n");
+}
+
+fn write_rows(page: &mut String, report: &BenchReport) {
+    page.push_str("<h2>Rows</h2>\n<div class=\"wide\">\n<table>\n<thead>\n<tr>");
+    let class = |column| {
+        if is_number(column) {
+            " class=\"number\""
+        } else {
+            ""
+        }
+    };
+    let heads = heads(report);
+    for (column, head) in heads.into_iter().enumerate() {
+        put!(page, "<th{}>{}</th>", class(column), escape(head));
+    }
+    page.push_str("</tr>\n</thead>\n");
+    for group in groups(report) {
+        let title = group.first().map(|i| group_title(&report.rows[*i]));
+        let title = escape(&title.unwrap_or_default());
+        put!(
+            page,
+            "<tbody>\n<tr><th colspan=\"{}\">{title}</th></tr>\n",
+            heads.len()
+        );
+        for i in group {
+            let row = &report.rows[i];
+            let kind = match row.samples {
+                0 => " class=\"absent\"",
+                _ if row.mode == row.base => " class=\"base\"",
+                _ => "",
+            };
+            put!(page, "<tr id=\"{}\"{kind}>", anchor(i));
+            for (column, cell) in cells(row).iter().enumerate() {
+                put!(page, "<td{}>{}</td>", class(column), escape(cell));
+            }
+            page.push_str("</tr>\n");
+        }
+        page.push_str("</tbody>\n");
+    }
+    page.push_str("</table>\n</div>\n");
+}
