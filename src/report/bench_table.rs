@@ -91,7 +91,7 @@ fn title(report: &BenchReport) -> String {
         [&device.name, &device.driver, &device.driver_version].map(|text| plain(text));
     let (plan, method) = (plain(&method.plan), plain(&method.name));
     format!(
-        "{name}, {driver} {version}; plan {plan}, method {method}, up to {rounds}; {rows}; [95 % intervals]\n"
+        "{name}, {driver} {version}; plan {plan}, method {method}, at least {rounds}; {rows}; [95 % intervals]\n"
     )
 }
 

@@ -8,7 +8,9 @@ use crate::cli::options::DeviceArgument;
 use crate::cli::output::JsonArgument;
 use crate::gpu::DeviceKind;
 use crate::render::state_changes::{MODES, Mode};
-use crate::studies::state_changes::{Group, Options, Plan, SCENES, SceneKind, Timing};
+use crate::studies::state_changes::{
+    GROUP_SECONDS, Group, Options, Plan, SCENES, SceneKind, Timing,
+};
 
 /// Options of `umber bench`.
 #[derive(clap::Args)]
@@ -32,7 +34,7 @@ pub struct Arguments {
     /// Numbers of draws; patches are drawn once each [default: 10000]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number(MOST_DRAWS))]
     draws: Vec<u32>,
-    /// Frames of each cell that count; fewer than 6 have no interval [default: 11 or 12]
+    /// Frames of each cell that count; fewer than 6 have no interval [default: at least 11 or 12, more where that is quick]
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     rounds: Option<u16>,
     /// A cell that took this many seconds is drawn no further
@@ -61,7 +63,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE.json", conflicts_with_all = ["json", "read"])]
     pub resume: Option<PathBuf>,
     /// Measure nothing: take the rows of a report
-    #[arg(long, value_name = "FILE.json")]
+    #[arg(long, value_name = "FILE.json",
+          conflicts_with_all = ["quick", "full", "mode", "scene", "materials", "draws", "rounds"])]
     pub read: Option<PathBuf>,
     /// Say what changed against an earlier report of this device, beyond the spread
     #[arg(long, value_name = "OLD.json")]
@@ -112,9 +115,13 @@ impl Arguments {
             false if self.is_custom() => self.custom(),
             false => Plan::quick(),
         };
-        Plan {
-            rounds: self.rounds.map_or(plan.rounds, u32::from),
-            ..plan
+        match self.rounds {
+            None => plan,
+            Some(rounds) => Plan {
+                rounds: rounds.into(),
+                group_seconds: 0.0,
+                ..plan
+            },
         }
     }
 
@@ -158,6 +165,7 @@ impl Arguments {
             name: "custom",
             groups,
             rounds: ROUNDS,
+            group_seconds: GROUP_SECONDS,
         }
     }
 
@@ -168,10 +176,11 @@ impl Arguments {
         }
     }
 
-    /// How it is measured, in `rounds` frames of each cell.
-    pub fn options(&self, rounds: u32) -> Options {
+    /// How a plan is measured.
+    pub fn options(&self, plan: &Plan) -> Options {
         Options {
-            rounds,
+            rounds: plan.rounds,
+            group_seconds: plan.group_seconds,
             warm_up: WARM_UP,
             cell_seconds: self.cell_seconds,
             seed: self.seed,

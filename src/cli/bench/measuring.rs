@@ -24,7 +24,7 @@ pub fn print_creation(arguments: &Arguments, mode: &'static Mode) -> Result<(), 
     let cache = dirs::cache_dir().map(|folder| folder.join("umber"));
     let renderer = Renderer::new(&device, None)?;
     let (scene, materials) = arguments.creation();
-    let options = arguments.options(1);
+    let options = arguments.options(&arguments.plan(device.info().kind));
     let what = (scene, materials, mode);
     let ms = creation_here(&renderer, cache.as_deref(), what, &options)?;
     print_bytes(format!("{{\"creation_ms\": {ms}}}\n").as_bytes())
@@ -34,7 +34,7 @@ pub fn print_creation(arguments: &Arguments, mode: &'static Mode) -> Result<(), 
 pub fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
     let device = arguments.device.open()?;
     let plan = arguments.plan(device.info().kind);
-    let options = arguments.options(plan.rounds);
+    let options = arguments.options(&plan);
     let mut report = new_report(arguments, &device, &plan, &options);
     if let Some(path) = &arguments.resume {
         report.rows = resumed(path, &report)?.rows;
@@ -167,6 +167,7 @@ fn new_report(
             name: arguments.method_name().to_owned(),
             plan: plan.name.to_owned(),
             rounds: options.rounds,
+            group_seconds: options.group_seconds,
             warm_up: options.warm_up,
             cell_seconds: options.cell_seconds,
             seed: options.seed,

@@ -93,7 +93,10 @@ impl<'s> Case<'s> {
             own,
             keys: keys.collect(),
             indirect,
-            runs: runs(stage),
+            runs: match mode.call {
+                Call::Instanced => runs(stage),
+                _ => Vec::new(),
+            },
             stage,
         })
     }

@@ -229,11 +229,6 @@ impl Mode {
         found.ok_or_else(|| suggest::unknown("mode", name, MODES.iter().map(|mode| mode.name)))
     }
 
-    /// Whether it leaves the base's picture; the others leave one of their own.
-    pub fn is_base(&self) -> bool {
-        self.base == self.name
-    }
-
     /// The mode whose picture it must leave, if it leaves one.
     pub fn picture_of(&self) -> Option<&'static str> {
         match (self.call, self.source.has_pictures()) {

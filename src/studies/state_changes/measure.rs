@@ -11,7 +11,11 @@ use crate::render::state_changes::{Call, Canvas, Drawing, Mode, Sample};
 use crate::render::{Picture, Renderer};
 use crate::report::BenchRow;
 
-/// What a picture may differ by where its code differs (DESIGN: 1e-5 relative and 1e-6 absolute).
+/// More rounds narrow an interval by less than the noise of a second run.
+const MOST_ROUNDS: u32 = 60;
+
+/// What a picture may differ by where its code differs, as `Picture::max_difference` measures it: 1e-5 relative and
+/// 1e-6 absolute.
 const MAX_DIFFERENCE: f64 = 1e-5;
 
 /// The rows of a group's cells, in their order. `progress` hears of each frame.
@@ -205,11 +209,16 @@ impl<'a> Bench<'a> {
     ) -> Result<(), BenchError> {
         let mut random = fastrand::Rng::with_seed(self.options.seed);
         let mut places: Vec<_> = (0..running.len()).collect();
-        for _ in 0..self.options.rounds {
+        let start = Instant::now();
+        for round in 0..MOST_ROUNDS.max(self.options.rounds) {
+            let spent = start.elapsed().as_secs_f64();
+            if round >= self.options.rounds && spent > self.options.group_seconds {
+                break;
+            }
             random.shuffle(&mut places);
             for place in &places {
                 let one = &mut running[*place];
-                progress(1);
+                progress(u64::from(round < self.options.rounds));
                 if one.seconds > self.options.cell_seconds {
                     one.samples.push(None);
                     continue;
@@ -254,7 +263,6 @@ impl<'a> Bench<'a> {
 fn with_bases(cells: &[Cell]) -> Vec<Cell> {
     let mut all: Vec<Cell> = Vec::new();
     for cell in cells {
-        // The base's own base too: one that is there, each compared with its own.
         let base = Mode::of_name(cell.mode.base).map(|mode| Cell { mode, ..*cell });
         for wanted in base.into_iter().chain([*cell]) {
             if !all.contains(&wanted) {

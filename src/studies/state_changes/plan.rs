@@ -1,7 +1,9 @@
 //! Which cells are measured, and which of them together?
 
-use crate::gpu::DeviceKind;
-use crate::render::state_changes::{BareCase, Call, Change, MODES, Mode, ONE_PIPELINE};
+use crate::gpu::{DeviceKind, Output};
+use crate::render::state_changes::{
+    BareCase, Call, Change, DYNAMIC, MODES, Mode, ONE_PIPELINE, PIPELINE_PER_MATERIAL,
+};
 use crate::report::BenchRow;
 use crate::scene::{Exhibit, Order, Wall};
 
@@ -74,12 +76,14 @@ pub struct Plan {
     pub name: &'static str,
     /// Its groups, in the order of measuring.
     pub groups: Vec<Group>,
-    /// Frames of each cell that count.
+    /// Frames of each cell that count, at least.
     pub rounds: u32,
+    /// A group is given further ones until it took this long, s.
+    pub group_seconds: f64,
 }
 
 /// Materials of the sweep over them, at `SWEEP_DRAWS` draws.
-const SWEEP: [u32; 7] = [1, 4, 16, 64, 256, 1024, 4096];
+const SWEEP: [u32; 5] = [1, 8, 64, 256, 4096];
 const SWEEP_DRAWS: u32 = 10_000;
 /// Draws of the sweep over them, at `SWEEP_MATERIALS` materials.
 const DRAWS: [u32; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
@@ -87,8 +91,13 @@ const SWEEP_MATERIALS: u32 = 64;
 /// From this many draws on a CPU driver is asked for the base and what draws with one command: with a state
 /// command a draw one frame takes ten seconds.
 const MANY_DRAWS: u32 = 1_000_000;
+/// Materials of the quick plan: a CPU driver compiles the pipelines of more for longer than a minute has.
+const QUICK_MATERIALS: u32 = 8;
 /// Sides of the squares, pixels.
 const SIDES: [u32; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
+
+/// Some 20 rounds of 10,000 draws on a CPU driver, and the full plan ends within an hour.
+pub const GROUP_SECONDS: f64 = 15.0;
 
 /// How many pipelines are made for materials; beyond, they are made in turn (`capped`). A CPU driver takes 70 ms and
 /// more to compile one, and keeps it in memory.
@@ -111,7 +120,7 @@ impl Group {
         }
     }
 
-    /// The wall that it draws. `pipelines` of the materials differ.
+    /// The wall that it draws, with so many distinct materials and pictures.
     pub fn wall(&self, distinct: u32, pictures: u32) -> Wall {
         Wall {
             exhibit: self.scene.exhibit(),
@@ -142,7 +151,7 @@ impl Group {
 fn cells_of(scene: SceneKind, mode: &'static Mode) -> Vec<Cell> {
     // Of a wall with glass the unblended picture is another.
     let opaque = scene != SceneKind::Zoo;
-    if mode.output != crate::gpu::Output::Blended && !opaque {
+    if mode.output != Output::Blended && !opaque {
         return Vec::new();
     }
     if matches!(scene, SceneKind::Bare { .. }) && !BareCase::has(mode) {
@@ -171,16 +180,17 @@ impl Plan {
     pub fn quick() -> Self {
         let modes: Vec<_> = MODES.iter().collect();
         let mut groups = vec![
-            Group::of_all(SceneKind::Tiny, 16, 2_000, &modes),
-            Group::of_all(SceneKind::Zoo, 16, 500, &modes),
-            Group::of_all(SceneKind::Null, 16, 2_000, &modes),
+            Group::of_all(SceneKind::Tiny, QUICK_MATERIALS, 2_000, &modes),
+            Group::of_all(SceneKind::Zoo, QUICK_MATERIALS, 500, &modes),
+            Group::of_all(SceneKind::Null, QUICK_MATERIALS, 2_000, &modes),
         ];
-        groups.extend(bare(16, 2_000, &modes));
-        groups.extend([1, 8, 64].map(|side| patches(side, 16)));
+        groups.extend(bare(QUICK_MATERIALS, 2_000, &modes));
+        groups.extend([1, 8, 64].map(|side| patches(side, QUICK_MATERIALS)));
         Self {
             name: "quick",
             groups,
             rounds: 11,
+            group_seconds: 0.0,
         }
     }
 
@@ -208,6 +218,7 @@ impl Plan {
             name: "full",
             groups,
             rounds: 12,
+            group_seconds: GROUP_SECONDS,
         }
     }
 
@@ -245,7 +256,6 @@ fn bare(materials: u32, draws: u32, modes: &[&'static Mode]) -> [Group; 2] {
 
 /// Squares of one size, each of a material of its own: the single shader in both builds, and switching.
 fn patches(side: u32, materials: u32) -> Group {
-    use crate::render::state_changes::{DYNAMIC, PIPELINE_PER_MATERIAL};
     let named = [ONE_PIPELINE, DYNAMIC, PIPELINE_PER_MATERIAL];
     let modes: Vec<_> = MODES.iter().filter(|m| named.contains(&m.name)).collect();
     Group::of_all(SceneKind::Patches(side), materials, materials, &modes)
