@@ -37,8 +37,8 @@ pub struct Method {
     pub plan: String,
     /// Frames of each cell that count, at least, if its time suffices.
     pub rounds: u32,
-    /// Cells that are drawn in turn get further frames until this time is up, s.
-    pub group_seconds: f64,
+    /// Cells that are drawn in turn get further frames until each took this long on average, s.
+    pub further_seconds: f64,
     /// Frames of each cell before them that do not.
     pub warm_up: u32,
     /// A cell that took this long is given no further frame, s.

@@ -71,7 +71,7 @@ fn check(report: &BenchReport) -> Result<(), String> {
     }
     let seconds = MOST_MS / 1000.0;
     check_figure("method.cell_seconds", method.cell_seconds, seconds)?;
-    check_figure("method.group_seconds", method.group_seconds, seconds)?;
+    check_figure("method.further_seconds", method.further_seconds, seconds)?;
     let rows = (report.rows.len() + report.break_even.len()) as u64;
     check_count("the number of rows", rows, MOST_ROWS)?;
     for (i, row) in report.rows.iter().enumerate() {

@@ -81,12 +81,12 @@ fn write_method(page: &mut String, report: &BenchReport) {
         }
     };
     let frames = format!(
-        "At least {} that count, after {} that do not, and further ones until a group of cells took {} s; a cell \
+        "At least {} that count, after {} that do not, and further ones until each cell took {} s on average; a cell \
          that took {} s gets no further frame. The cells of a group take turns, a frame each, in an order that each \
          round draws anew.",
         count(method.rounds.into(), "frame"),
         count(method.warm_up.into(), "frame"),
-        figure(method.group_seconds),
+        figure(method.further_seconds),
         figure(method.cell_seconds),
     );
     let items = [

@@ -19,7 +19,7 @@ const SEED: u64 = 7;
 
 const OPTIONS: Options = Options {
     rounds: 2,
-    group_seconds: 0.0,
+    further_seconds: 0.0,
     warm_up: 1,
     cell_seconds: 30.0,
     seed: SEED,

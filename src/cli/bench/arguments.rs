@@ -9,7 +9,7 @@ use crate::cli::output::JsonArgument;
 use crate::gpu::DeviceKind;
 use crate::render::state_changes::{MODES, Mode};
 use crate::studies::state_changes::{
-    GROUP_SECONDS, Group, Options, Plan, SCENES, SceneKind, Timing,
+    FURTHER_SECONDS, Group, Options, Plan, SCENES, SceneKind, Timing,
 };
 
 /// Options of `umber bench`.
@@ -119,7 +119,7 @@ impl Arguments {
             None => plan,
             Some(rounds) => Plan {
                 rounds: rounds.into(),
-                group_seconds: 0.0,
+                further_seconds: 0.0,
                 ..plan
             },
         }
@@ -163,9 +163,9 @@ impl Arguments {
         }
         Plan {
             name: "custom",
-            groups,
+            groups: groups.into_iter().flat_map(Group::split).collect(),
             rounds: ROUNDS,
-            group_seconds: GROUP_SECONDS,
+            further_seconds: FURTHER_SECONDS,
         }
     }
 
@@ -180,7 +180,7 @@ impl Arguments {
     pub fn options(&self, plan: &Plan) -> Options {
         Options {
             rounds: plan.rounds,
-            group_seconds: plan.group_seconds,
+            further_seconds: plan.further_seconds,
             warm_up: WARM_UP,
             cell_seconds: self.cell_seconds,
             seed: self.seed,
@@ -204,6 +204,15 @@ impl Arguments {
     /// Whether the times in which pipelines are made are measured.
     pub fn measures_creation(&self) -> bool {
         !self.skip_creation && self.timing() == Timing::Submit
+    }
+
+    /// Whether they are of this scene: a minute suffices for those in which something is shaded as a user's frame is.
+    pub fn measures_creation_of(&self, scene: SceneKind) -> bool {
+        let shaded = matches!(
+            scene,
+            SceneKind::Tiny | SceneKind::Zoo | SceneKind::Patches(_)
+        );
+        shaded || !self.is_quick()
     }
 
     /// Scene and materials of the one figure that a process of its own is asked for.

@@ -12,7 +12,7 @@ use crate::cli::output::{Output, print_bytes, talk, write_json};
 use crate::gpu::Device;
 use crate::render::Renderer;
 use crate::render::state_changes::Mode;
-use crate::report::{BenchReport, Machine, Method, Program};
+use crate::report::{BenchReport, BenchRow, Machine, Method, Program};
 use crate::studies::OwnProcessError;
 use crate::studies::state_changes::{
     Creation, Group, Options, Plan, break_evens, creation_here, measure,
@@ -41,11 +41,9 @@ pub fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
     }
     let todo = plan.missing(&report.rows);
     say_what(arguments, &device, &todo);
-    let renderer = Renderer::new(&device, None)?;
     let bar = progress_bar(arguments, &todo.groups, &options);
     let mut bench = Bench {
         arguments,
-        renderer: &renderer,
         options: &options,
         creation: creation(arguments)?,
         bar: &bar,
@@ -53,19 +51,9 @@ pub fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
     let mut groups = todo.groups.iter();
     let done = groups.try_for_each(|group| bench.group(group, &mut report));
     bar.finish_and_clear();
-    // Also, and above all, where a frame failed.
-    let messages = device.instance().validation_log().drain();
-    messages.iter().for_each(talk);
     done?;
     report.break_even = break_evens(&report.rows);
-    match messages.len() {
-        0 => Ok(report),
-        number => {
-            let number = count(number as u64, "message");
-            let message = format!("the validation layers had {number}");
-            Err(Failure::new(Exit::Validation, message))
-        }
-    }
+    Ok(report)
 }
 
 /// The report of a run that was killed, if this run can go on with it.
@@ -109,7 +97,6 @@ fn say_what(arguments: &Arguments, device: &Device, todo: &Plan) {
 
 struct Bench<'a> {
     arguments: &'a Arguments,
-    renderer: &'a Renderer,
     options: &'a Options,
     creation: Option<Creation>,
     bar: &'a ProgressBar,
@@ -124,9 +111,17 @@ impl Bench<'_> {
             count(group.materials.into(), "material"),
             count(group.draws.into(), "draw"),
         ));
-        let mut rows = measure(self.renderer, group, self.options, &|n| self.bar.inc(n))?;
-        if let Some(creation) = &mut self.creation {
-            creation.add(self.renderer, group, &mut rows)?;
+        // A device of its own: what a driver keeps of the shaders of groups before must not crowd out this one's.
+        let device = self.arguments.device.open()?;
+        let measured = self.rows(&device, group);
+        // Also, and above all, where a frame failed.
+        let messages = device.instance().validation_log().drain();
+        messages.iter().for_each(talk);
+        let rows = measured?;
+        if !messages.is_empty() {
+            let number = count(messages.len() as u64, "message");
+            let message = format!("the validation layers had {number}");
+            return Err(Failure::new(Exit::Validation, message));
         }
         report.rows.extend(rows);
         report.break_even = break_evens(&report.rows);
@@ -134,6 +129,17 @@ impl Bench<'_> {
             Some(path) => write_json(Output::open(&path)?, report),
             None => Ok(()),
         }
+    }
+
+    fn rows(&mut self, device: &Arc<Device>, group: &Group) -> Result<Vec<BenchRow>, Failure> {
+        let renderer = Renderer::new(device, None)?;
+        let mut rows = measure(&renderer, group, self.options, &|n| self.bar.inc(n))?;
+        if let Some(creation) = &mut self.creation
+            && self.arguments.measures_creation_of(group.scene)
+        {
+            creation.add(&renderer, group, &mut rows)?;
+        }
+        Ok(rows)
     }
 }
 
@@ -167,7 +173,7 @@ fn new_report(
             name: arguments.method_name().to_owned(),
             plan: plan.name.to_owned(),
             rounds: options.rounds,
-            group_seconds: options.group_seconds,
+            further_seconds: options.further_seconds,
             warm_up: options.warm_up,
             cell_seconds: options.cell_seconds,
             seed: options.seed,

@@ -210,9 +210,10 @@ impl<'a> Bench<'a> {
         let mut random = fastrand::Rng::with_seed(self.options.seed);
         let mut places: Vec<_> = (0..running.len()).collect();
         let start = Instant::now();
+        let seconds = self.options.further_seconds * running.len() as f64;
         for round in 0..MOST_ROUNDS.max(self.options.rounds) {
             let spent = start.elapsed().as_secs_f64();
-            if round >= self.options.rounds && spent > self.options.group_seconds {
+            if round >= self.options.rounds && spent > seconds {
                 break;
             }
             random.shuffle(&mut places);

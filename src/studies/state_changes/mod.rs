@@ -13,7 +13,7 @@ mod stages;
 pub use break_even::break_evens;
 pub use creation::{Creation, SCENES, here as creation_here};
 pub use measure::measure;
-pub use plan::{Cell, GROUP_SECONDS, Group, Plan, SceneKind};
+pub use plan::{Cell, FURTHER_SECONDS, Group, Plan, SceneKind};
 
 use crate::gpu;
 use crate::render::RenderError;
@@ -24,9 +24,9 @@ use crate::scene;
 pub struct Options {
     /// Frames of each cell that count, at least.
     pub rounds: u32,
-    /// A group is given further rounds until it took this long, s: a burst of somebody else's work on the machine is
-    /// then seldom half of them.
-    pub group_seconds: f64,
+    /// A group is given further rounds until each of its cells took this long on average, s: a burst of somebody else's
+    /// work on the machine is then seldom half of them.
+    pub further_seconds: f64,
     /// Frames of each cell before them; at least one.
     pub warm_up: u32,
     /// A cell that took this long is drawn no further, s.

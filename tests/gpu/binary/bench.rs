@@ -147,8 +147,13 @@ fn a_run_that_is_killed_keeps_its_cells_and_goes_on() -> Tested {
     let all = rows(&json(&place, "out.json")?);
     assert!(all.len() >= 12, "{} rows", all.len());
     assert_eq!(all[..kept.len()], kept);
-    for row in &all {
+    let key = |row: &Value| ["mode", "order", "draws"].map(|key| row[key].to_string());
+    for (i, row) in all.iter().enumerate() {
         assert!(row["relative"].is_f64(), "{row}");
+        assert!(
+            all[..i].iter().all(|before| key(before) != key(row)),
+            "twice: {row}"
+        );
     }
     Ok(())
 }
