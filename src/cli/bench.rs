@@ -1,6 +1,7 @@
 //! How does `umber bench` go from a plan to rows, and from rows to what people read?
 
 mod arguments;
+mod heap;
 mod measuring;
 mod places;
 
@@ -19,6 +20,9 @@ use crate::report::{BenchReport, Comparison, compare, read_bench};
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(mode) = arguments.creation_of {
         return print_creation(arguments, mode);
+    }
+    if arguments.read.is_none() {
+        heap::keep();
     }
     let places = Places::open(arguments)?;
     let read_report = |path: &std::path::PathBuf| read(path);

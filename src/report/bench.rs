@@ -45,6 +45,8 @@ pub struct Method {
     pub cell_seconds: f64,
     /// Orders draws and rounds.
     pub seed: u64,
+    /// What the C library's heap was told, as variables of the environment; empty for nothing.
+    pub heap: String,
 }
 
 /// One mode in one scene. A figure is null where it does not exist or could not be had; `note` says why.

@@ -62,6 +62,7 @@ fn check(report: &BenchReport) -> Result<(), String> {
         ("machine.system", &machine.system),
         ("method.name", &method.name),
         ("method.plan", &method.plan),
+        ("method.heap", &method.heap),
         ("program.version", &program.version),
         ("program.revision", &program.revision),
         ("program.clock", &program.clock),

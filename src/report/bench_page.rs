@@ -9,7 +9,7 @@ use super::bench::BenchReport;
 use super::bench_headlines::headlines;
 use super::bench_plots::{anchor, figures};
 use super::bench_table::{cells, group_title, heads, is_number};
-use super::bench_words::{count, figure, groups, records_only};
+use super::bench_words::{count, figure, groups, plain, records_only};
 use super::plot::{escape, put};
 
 /// The page.
@@ -107,6 +107,10 @@ fn write_method(page: &mut String, report: &BenchReport) {
           command's cost by itself; bare-storage: the same with a storage buffer in the set that no shader reads.".to_owned()),
         ("clock", report.program.clock.clone()),
         ("seed", method.seed.to_string()),
+        ("heap", match plain(&method.heap).as_str() {
+            "" => "As the C library has it.".to_owned(),
+            told => format!("{told}: what a frame frees stays with the program, and is not asked for anew in the next."),
+        }),
     ];
     write_items(page, &items);
     page.push_str("</dl>\n<h2>Limits</h2>\n<ul>\n");

@@ -119,6 +119,7 @@ fn report() -> BenchReport {
             warm_up: 2,
             cell_seconds: 30.0,
             seed: 1,
+            heap: String::new(),
         },
         rows: rows(),
         break_even: vec![BreakEven {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::Arguments;
+use super::heap;
 use crate::cli::exit::{Exit, Failure};
 use crate::cli::options::{count, software};
 use crate::cli::output::{Output, print_bytes, talk, write_json};
@@ -177,6 +178,7 @@ fn new_report(
             warm_up: options.warm_up,
             cell_seconds: options.cell_seconds,
             seed: options.seed,
+            heap: heap::told(),
         },
         rows: Vec::new(),
         break_even: Vec::new(),
