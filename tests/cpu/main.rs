@@ -1,6 +1,7 @@
 //! Do the parts that need no GPU do what they say?
 
 mod beckmann;
+mod bench_record;
 mod bench_report;
 mod constants;
 mod cook_torrance;
