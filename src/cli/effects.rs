@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::cli::exit::{Exit, Failure};
+use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{
     DeviceArgument, LightingArgument, count, effect_set, samples, size, software,
 };
@@ -102,14 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             print_bytes(text(&report, software(device.info().kind), titled).as_bytes())?;
         }
     }
-    match messages.len() {
-        0 => Ok(()),
-        number => {
-            let number = count(number as u64, "message");
-            let message = format!("the validation layers had {number}");
-            Err(Failure::new(Exit::Validation, message))
-        }
-    }
+    judge_messages(messages.len())
 }
 
 fn measure(

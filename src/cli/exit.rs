@@ -3,6 +3,7 @@
 use std::fmt;
 use std::process::ExitCode;
 
+use crate::cli::options::count;
 use crate::gpu;
 use crate::render::RenderError;
 use crate::scene;
@@ -43,6 +44,16 @@ impl Failure {
             message: message.to_string(),
         }
     }
+}
+
+/// The failure that so many messages of the validation layers are; none is none.
+pub fn judge_messages(number: usize) -> Result<(), Failure> {
+    if number == 0 {
+        return Ok(());
+    }
+    let number = count(number as u64, "message");
+    let message = format!("the validation layers had {number}");
+    Err(Failure::new(Exit::Validation, message))
 }
 
 impl From<Failure> for ExitCode {

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 
-use crate::cli::exit::{Exit, Failure};
+use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{
     DeviceArgument, LightingArgument, build, count, effects, samples, size, software,
 };
@@ -273,11 +273,7 @@ fn describe(path: String, arguments: &Arguments, picture: &Picture, defects: &De
 
 /// What makes a written picture a failure all the same.
 fn judge(messages: usize, defects: &Defects) -> Result<(), Failure> {
-    if messages > 0 {
-        let number = count(messages as u64, "message");
-        let message = format!("the validation layers had {number}");
-        return Err(Failure::new(Exit::Validation, message));
-    }
+    judge_messages(messages)?;
     if let Some((x, y)) = defects.first {
         let message = format!(
             "{} pixels hold a NaN, {} an infinity; the first at column {x}, row {y} (the picture \

@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::Arguments;
 use super::heap;
-use crate::cli::exit::{Exit, Failure};
+use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{count, software};
 use crate::cli::output::{Output, print_bytes, talk, write_json};
 use crate::gpu::Device;
@@ -119,11 +119,7 @@ impl Bench<'_> {
         let messages = device.instance().validation_log().drain();
         messages.iter().for_each(talk);
         let rows = measured?;
-        if !messages.is_empty() {
-            let number = count(messages.len() as u64, "message");
-            let message = format!("the validation layers had {number}");
-            return Err(Failure::new(Exit::Validation, message));
-        }
+        judge_messages(messages.len())?;
         report.rows.extend(rows);
         report.break_even = break_evens(&report.rows);
         match self.arguments.kept() {
