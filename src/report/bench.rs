@@ -37,9 +37,11 @@ pub struct Method {
     pub plan: String,
     /// Frames of each cell that count, at least, if its time suffices.
     pub rounds: u32,
+    /// Devices on which they are drawn, one after the other: an interval is between the medians of these.
+    pub visits: u32,
     /// Cells that are drawn in turn get further frames until each took this long on average, s.
     pub further_seconds: f64,
-    /// Frames of each cell before them that do not.
+    /// Frames of each cell before them, on each device, that do not.
     pub warm_up: u32,
     /// A cell that took this long is given no further frame, s.
     pub cell_seconds: f64,
@@ -102,7 +104,8 @@ pub struct BenchRow {
     pub image_hash: Option<String>,
     /// The mode that `relative` compares it with, in the same order; itself for a base.
     pub base: String,
-    /// Its submit-to-idle over the base's, pair by pair; its recording for the method `vkoverhead`.
+    /// Its submit-to-idle over the base's, pair by pair, the median of each device's median; its recording for the
+    /// method `vkoverhead`.
     pub relative: Option<f64>,
     /// The interval of `relative`.
     pub relative_95: Option<Interval95>,

@@ -115,6 +115,7 @@ fn report() -> BenchReport {
             name: "submit".to_owned(),
             plan: "full".to_owned(),
             rounds: 12,
+            visits: 6,
             further_seconds: 15.0,
             warm_up: 2,
             cell_seconds: 30.0,

@@ -6,8 +6,9 @@ use umber::render::state_changes::{
     Call, Canvas, Case, Change, Drawing, MODES, Mode, ONE_PIPELINE, Source, Stage, TEXTURE_ARRAY,
 };
 use umber::render::{Picture, Settings, Variant};
+use umber::report::BenchRow;
 use umber::scene::{Exhibit, Order, Wall};
-use umber::studies::state_changes::{BenchError, Group, Options, SceneKind, Timing, measure};
+use umber::studies::state_changes::{BenchError, Group, Options, SceneKind, Timing, Visits};
 use umber::{gpu, gpu::Samples};
 
 use crate::harness::{Gpu, with_gpu};
@@ -62,9 +63,18 @@ fn picture(
     })
 }
 
+/// The rows of a group; this device is visited each time.
+fn measured(gpu: &Gpu, group: &Group, options: &Options) -> Result<Vec<BenchRow>, BenchError> {
+    let mut visits = Visits::new(&gpu.device, group, options)?;
+    while visits.left() > 0 {
+        visits.visit(&gpu.renderer, &|_| {})?;
+    }
+    Ok(visits.rows())
+}
+
 #[test]
 fn every_mode_draws_every_scene_in_every_order() -> Outcome {
-    // `measure` holds pictures and counts against what they must be.
+    // A visit holds pictures and counts against what they must be.
     with_gpu(|gpu| -> Outcome {
         let modes: Vec<_> = MODES.iter().collect();
         for scene in [
@@ -76,7 +86,7 @@ fn every_mode_draws_every_scene_in_every_order() -> Outcome {
             SceneKind::Null,
         ] {
             let group = Group::of_all(scene, 5, 40, &modes);
-            let rows = measure(&gpu.renderer, &group, &OPTIONS, &|_| {})?;
+            let rows = measured(gpu, &group, &OPTIONS)?;
             assert_eq!(rows.len(), group.cells.len());
             for row in &rows {
                 let drawn = row.mode != "nothing" && scene != SceneKind::Null;
@@ -303,7 +313,7 @@ static WRONG_PICTURE: Mode = Mode {
 fn a_mode_that_draws_something_else_fails() {
     let outcome = with_gpu(|gpu| {
         let group = Group::of_all(SceneKind::Tiny, 4, 16, &[&MODES[0], &WRONG_PICTURE]);
-        measure(&gpu.renderer, &group, &OPTIONS, &|_| {})
+        measured(gpu, &group, &OPTIONS)
     });
     assert!(
         matches!(&outcome, Err(BenchError::OtherPicture { cell, .. }) if cell == "wrong, sorted" || cell == "wrong, shuffled"),
@@ -318,7 +328,7 @@ fn more_draws_than_records_fit_are_refused_before_anything_is_made() {
         let draws = u32::try_from(most + 1).unwrap_or(u32::MAX);
         let group = Group::of_all(SceneKind::Tiny, 1, draws, &[&MODES[0]]);
         let images = gpu.device.images_created();
-        let outcome = measure(&gpu.renderer, &group, &OPTIONS, &|_| {});
+        let outcome = measured(gpu, &group, &OPTIONS);
         assert_eq!(gpu.device.images_created(), images);
         (outcome, most)
     });
@@ -341,7 +351,7 @@ fn what_is_recorded_and_reset_has_no_times_of_the_device() -> Outcome {
             100,
             &[&MODES[0], Mode::of_name("push-constant")?],
         );
-        let rows = measure(&gpu.renderer, &group, &options, &|_| {})?;
+        let rows = measured(gpu, &group, &options)?;
         for row in rows {
             assert!(row.record_ns_per_draw.is_some_and(|ns| ns > 0.0), "{row:?}");
             assert_eq!((row.submit_to_idle_ms, row.gpu_ms), (None, None));

@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Numbers of draws; patches are drawn once each [default: 10000]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number(MOST_DRAWS))]
     draws: Vec<u32>,
-    /// Frames of each cell that count; fewer than 6 have no interval [default: at least 11 or 12, more where that is quick]
+    /// Frames of each cell that count; fewer than 6 have no interval [default: at least 12, more where that is quick]
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     rounds: Option<u16>,
     /// A cell that took this many seconds is drawn no further
@@ -230,8 +230,8 @@ impl Arguments {
     }
 }
 
-/// Frames before those that count: the first compiles, the second fills what caches the driver has.
-const WARM_UP: u32 = 2;
+/// Frames before those that count, on each device: the first compiles.
+const WARM_UP: u32 = 1;
 
 fn mode(text: &str) -> Result<&'static Mode, String> {
     Mode::of_name(text)

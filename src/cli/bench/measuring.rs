@@ -16,7 +16,7 @@ use crate::render::state_changes::Mode;
 use crate::report::{BenchReport, BenchRow, Machine, Method, Program};
 use crate::studies::OwnProcessError;
 use crate::studies::state_changes::{
-    Creation, Group, Options, Plan, break_evens, creation_here, measure,
+    Creation, Group, Options, Plan, Visits, break_evens, creation_here,
 };
 
 /// The one figure that a process of its own is asked for.
@@ -45,6 +45,7 @@ pub fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
     let bar = progress_bar(arguments, &todo.groups, &options);
     let mut bench = Bench {
         arguments,
+        device: &device,
         options: &options,
         creation: creation(arguments)?,
         bar: &bar,
@@ -98,6 +99,7 @@ fn say_what(arguments: &Arguments, device: &Device, todo: &Plan) {
 
 struct Bench<'a> {
     arguments: &'a Arguments,
+    device: &'a Device,
     options: &'a Options,
     creation: Option<Creation>,
     bar: &'a ProgressBar,
@@ -112,14 +114,12 @@ impl Bench<'_> {
             count(group.materials.into(), "material"),
             count(group.draws.into(), "draw"),
         ));
-        // A device of its own: what a driver keeps of the shaders of groups before must not crowd out this one's.
-        let device = self.arguments.device.open()?;
-        let measured = self.rows(&device, group);
-        // Also, and above all, where a frame failed.
-        let messages = device.instance().validation_log().drain();
-        messages.iter().for_each(talk);
-        let rows = measured?;
-        judge_messages(messages.len())?;
+        let mut rows = self.rows(group)?;
+        if let Some(creation) = &mut self.creation
+            && self.arguments.measures_creation_of(group.scene)
+        {
+            creation.add(self.device.info().kind, group, &mut rows)?;
+        }
         report.rows.extend(rows);
         report.break_even = break_evens(&report.rows);
         match self.arguments.kept() {
@@ -128,15 +128,20 @@ impl Bench<'_> {
         }
     }
 
-    fn rows(&mut self, device: &Arc<Device>, group: &Group) -> Result<Vec<BenchRow>, Failure> {
-        let renderer = Renderer::new(device, None)?;
-        let mut rows = measure(&renderer, group, self.options, &|n| self.bar.inc(n))?;
-        if let Some(creation) = &mut self.creation
-            && self.arguments.measures_creation_of(group.scene)
-        {
-            creation.add(&renderer, group, &mut rows)?;
+    /// On devices of its own: what a driver keeps of the shaders of groups before must not crowd out this one's.
+    fn rows(&self, group: &Group) -> Result<Vec<BenchRow>, Failure> {
+        let mut visits = Visits::new(self.device, group, self.options)?;
+        while visits.left() > 0 {
+            let device = self.arguments.device.open()?;
+            let renderer = Renderer::new(&device, None)?;
+            let visited = visits.visit(&renderer, &|frames| self.bar.inc(frames));
+            // Also, and above all, where a frame failed.
+            let messages = device.instance().validation_log().drain();
+            messages.iter().for_each(talk);
+            visited?;
+            judge_messages(messages.len())?;
         }
-        Ok(rows)
+        Ok(visits.rows())
     }
 }
 
@@ -170,6 +175,7 @@ fn new_report(
             name: arguments.method_name().to_owned(),
             plan: plan.name.to_owned(),
             rounds: options.rounds,
+            visits: options.visits(),
             further_seconds: options.further_seconds,
             warm_up: options.warm_up,
             cell_seconds: options.cell_seconds,

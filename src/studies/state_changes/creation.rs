@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::plan::{Cell, Group, SceneKind, most_pipelines};
 use super::stages::{Scenes, Stages};
 use super::{BenchError, Options};
-use crate::gpu::PipelineCache;
+use crate::gpu::{DeviceKind, PipelineCache};
 use crate::math::statistics::median;
 use crate::render::Renderer;
 use crate::render::state_changes::{Call, Canvas, Mode};
@@ -47,7 +47,7 @@ pub fn here(
         mode,
         order: Order::Shuffled,
     };
-    let scenes = Scenes::new(renderer, &group, options)?;
+    let scenes = Scenes::new(renderer.device().info().kind, &group, options)?;
     let stages = Stages::new(renderer, &group, &scenes)?;
     let canvas = Canvas::new(renderer.device(), scenes.size())?;
     let cache = PipelineCache::open(renderer.device(), cache_folder)?;
@@ -85,11 +85,11 @@ impl Creation {
     /// A process does not start, or fails.
     pub fn add(
         &mut self,
-        renderer: &Renderer,
+        kind: DeviceKind,
         group: &Group,
         rows: &mut [BenchRow],
     ) -> Result<(), OwnProcessError> {
-        let most = most_pipelines(renderer.device().info().kind);
+        let most = most_pipelines(kind);
         for row in rows {
             let Some(cell) = group.cells.iter().find(|cell| group.has(cell, row)) else {
                 continue;

@@ -1,71 +1,91 @@
-//! What does a group of cells take, drawn in turn, and do they all leave one picture?
+//! What does a visit to a group of cells see, drawn in turn on one device, and do they all leave one picture?
 
 use std::time::Instant;
 
 use super::plan::{Cell, Group, SceneKind};
-use super::rows::{Measured, row};
 use super::stages::{MOST_PICTURES, PictureKey, Scenes, Stages};
 use super::{BenchError, Options, Timing};
 use crate::gpu::{self, PassCounts, PipelineCache};
-use crate::render::state_changes::{Call, Canvas, Drawing, Mode, Sample};
+use crate::render::state_changes::{Call, Canvas, Drawing, Made, Mode, Sample};
 use crate::render::{Picture, Renderer};
-use crate::report::BenchRow;
 
-/// More rounds narrow an interval by less than the noise of a second run.
+/// More rounds narrow a visit's medians by less than what visits differ by.
 const MOST_ROUNDS: u32 = 60;
 
 /// What a picture may differ by where its code differs, as `Picture::max_difference` measures it: 1e-5 relative and
 /// 1e-6 absolute.
 const MAX_DIFFERENCE: f64 = 1e-5;
 
-/// The rows of a group's cells, in their order. `progress` hears of each frame.
+/// What a visit saw of a cell.
+pub struct Frames {
+    /// Which.
+    pub cell: Cell,
+    /// Round by round; `None` once its time is up.
+    pub samples: Vec<Option<Sample>>,
+    /// What making it took.
+    pub made: Made,
+    /// What a frame records.
+    pub counts: PassCounts,
+    /// Its picture's, in hexadecimal.
+    pub hash: Option<String>,
+    /// What is less than its row's numbers say.
+    pub notes: Vec<String>,
+}
+
+/// Which visit of how many, and with what each scene is drawn.
+pub struct Turn<'a> {
+    /// From 0.
+    pub number: u32,
+    /// Over all visits.
+    pub options: &'a Options,
+    /// The group's.
+    pub scenes: &'a Scenes,
+}
+
+impl Turn<'_> {
+    /// Rounds of this visit, at least.
+    fn rounds(&self) -> u32 {
+        let (rounds, visits) = (self.options.rounds, self.options.visits());
+        rounds * (self.number + 1) / visits - rounds * self.number / visits
+    }
+
+    /// What is a visit's share of seconds for all of them.
+    fn share(&self, seconds: f64) -> f64 {
+        seconds / f64::from(self.options.visits())
+    }
+}
+
+/// The frames of a group's cells, and of the bases that they lack. `progress` hears of each frame.
 ///
 /// # Errors
 /// The device cannot, a mode records other commands than it says or leaves another picture, or the driver fails.
-pub fn measure(
+pub fn visit(
     renderer: &Renderer,
     group: &Group,
-    options: &Options,
+    turn: &Turn,
     progress: &dyn Fn(u64),
-) -> Result<Vec<BenchRow>, BenchError> {
-    check_records(renderer, group)?;
-    let scenes = Scenes::new(renderer, group, options)?;
-    let canvas = Canvas::new(renderer.device(), scenes.size())?;
-    let stages = Stages::new(renderer, group, &scenes)?;
+) -> Result<Vec<Frames>, BenchError> {
     let bench = Bench {
         renderer,
         group,
-        options,
-        size: scenes.size(),
-        stages: &stages,
-        canvas: &canvas,
+        turn,
+        stages: &Stages::new(renderer, group, turn.scenes)?,
+        canvas: &Canvas::new(renderer.device(), turn.scenes.size())?,
         cache: PipelineCache::open(renderer.device(), None)?,
     };
-    bench.rows(progress)
+    bench.frames(progress)
 }
 
-/// An object's record for each draw must fit what a shader may see.
-fn check_records(renderer: &Renderer, group: &Group) -> Result<(), BenchError> {
-    let bytes = u64::from(group.draws) * size_of::<crate::interface::Instance>() as u64;
-    let limit = renderer.device().max_storage_bytes();
-    if bytes > limit {
-        return Err(BenchError::TooManyDraws {
-            draws: group.draws,
-            bytes,
-            most: limit / size_of::<crate::interface::Instance>() as u64,
-        });
-    }
-    let (width, height) = group.wall(group.materials, 0).size();
-    let draws = group.draws;
-    let size = renderer.device().check_target_size(width, height);
-    size.map_err(|error| BenchError::TooLarge { draws, error })
+/// Why a mode cannot be drawn on a device.
+pub fn why_not(mode: &Mode, device: &gpu::Device) -> Option<String> {
+    let indirect = mode.call == Call::Indirect && !device.draws_indirect();
+    indirect.then(|| "unsupported: multiDrawIndirect, drawIndirectFirstInstance".to_owned())
 }
 
 struct Bench<'a> {
     renderer: &'a Renderer,
     group: &'a Group,
-    options: &'a Options,
-    size: (u32, u32),
+    turn: &'a Turn<'a>,
     stages: &'a Stages<'a>,
     canvas: &'a Canvas,
     cache: PipelineCache,
@@ -75,7 +95,6 @@ struct Bench<'a> {
 struct Running<'a> {
     cell: Cell,
     case: Box<dyn Drawing + 'a>,
-    /// Round by round; `None` once its time is up.
     samples: Vec<Option<Sample>>,
     seconds: f64,
     hash: Option<String>,
@@ -83,46 +102,20 @@ struct Running<'a> {
 }
 
 impl<'a> Bench<'a> {
-    fn rows(&self, progress: &dyn Fn(u64)) -> Result<Vec<BenchRow>, BenchError> {
-        let (possible, impossible): (Vec<Cell>, Vec<Cell>) = with_bases(&self.group.cells)
-            .into_iter()
-            .partition(|cell| self.why_not(cell.mode).is_none());
-        let mut running = self.prepare(&possible)?;
+    fn frames(&self, progress: &dyn Fn(u64)) -> Result<Vec<Frames>, BenchError> {
+        let mut cells = with_bases(&self.group.cells);
+        cells.retain(|cell| why_not(cell.mode, self.renderer.device()).is_none());
+        let mut running = self.prepare(&cells)?;
         self.rounds(&mut running, progress)?;
-        let base_of = |cell: &Cell| {
-            running.iter().find(|other| {
-                other.cell.mode.name == cell.mode.base && other.cell.order == cell.order
-            })
-        };
-        let rows = self.group.cells.iter().map(|cell| {
-            let own = running.iter().find(|other| other.cell == *cell);
-            let measured = own.map(|own| Measured {
-                samples: &own.samples,
-                base: base_of(cell).map_or(&own.samples, |base| &base.samples),
-                made: own.case.made(),
-                counts: own.case.expected(),
-                hash: own.hash.clone(),
-            });
-            let mut notes = own.map_or(Vec::new(), |own| own.notes.clone());
-            if impossible.contains(cell) {
-                notes.extend(self.why_not(cell.mode));
-            }
-            row(
-                self.group,
-                cell,
-                self.size,
-                measured,
-                notes,
-                self.options.timing,
-            )
+        let frames = running.into_iter().map(|one| Frames {
+            cell: one.cell,
+            samples: one.samples,
+            made: one.case.made(),
+            counts: one.case.expected(),
+            hash: one.hash,
+            notes: one.notes,
         });
-        Ok(rows.collect())
-    }
-
-    /// Why a mode cannot be drawn here.
-    fn why_not(&self, mode: &Mode) -> Option<String> {
-        let indirect = mode.call == Call::Indirect && !self.renderer.device().draws_indirect();
-        indirect.then(|| "unsupported: multiDrawIndirect, drawIndirectFirstInstance".to_owned())
+        Ok(frames.collect())
     }
 
     /// Makes all cases, draws each until it is warm, and holds its picture and its commands against what they must be.
@@ -131,7 +124,7 @@ impl<'a> Bench<'a> {
         let mut running = Vec::new();
         for cell in cells {
             let case = self.case(cell, cell.mode)?;
-            for _ in 0..self.options.warm_up {
+            for _ in 0..self.turn.options.warm_up {
                 let counts = self.sample(&*case)?.counts;
                 check_counts(cell, &counts, &case.expected())?;
             }
@@ -144,7 +137,7 @@ impl<'a> Bench<'a> {
                 notes: Vec::new(),
             };
             one.notes.extend(self.notes(cell));
-            if self.group.scene != SceneKind::Null && self.options.timing == Timing::Submit {
+            if self.group.scene != SceneKind::Null && self.turn.options.timing == Timing::Submit {
                 self.check_picture(&mut one, &mut references)?;
             }
             running.push(one);
@@ -207,20 +200,24 @@ impl<'a> Bench<'a> {
         running: &mut [Running<'a>],
         progress: &dyn Fn(u64),
     ) -> Result<(), BenchError> {
-        let mut random = fastrand::Rng::with_seed(self.options.seed);
+        let Turn {
+            number, options, ..
+        } = *self.turn;
+        let mut random = fastrand::Rng::with_seed(options.seed.wrapping_add(number.into()));
         let mut places: Vec<_> = (0..running.len()).collect();
         let start = Instant::now();
-        let seconds = self.options.further_seconds * running.len() as f64;
-        for round in 0..MOST_ROUNDS.max(self.options.rounds) {
+        let seconds = self.turn.share(options.further_seconds) * running.len() as f64;
+        let least = self.turn.rounds();
+        for round in 0..(MOST_ROUNDS / options.visits()).max(least) {
             let spent = start.elapsed().as_secs_f64();
-            if round >= self.options.rounds && spent > seconds {
+            if round >= least && spent > seconds {
                 break;
             }
             random.shuffle(&mut places);
             for place in &places {
                 let one = &mut running[*place];
-                progress(u64::from(round < self.options.rounds));
-                if one.seconds > self.options.cell_seconds {
+                progress(u64::from(round < least));
+                if one.seconds > self.turn.share(options.cell_seconds) {
                     one.samples.push(None);
                     continue;
                 }
@@ -235,7 +232,7 @@ impl<'a> Bench<'a> {
     }
 
     fn sample(&self, case: &dyn Drawing) -> Result<Sample, gpu::Error> {
-        match self.options.timing {
+        match self.turn.options.timing {
             Timing::Submit => self.canvas.sample(case),
             Timing::RecordAndReset => self.recorded(case),
         }

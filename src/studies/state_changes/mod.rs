@@ -9,11 +9,12 @@ mod measure;
 mod plan;
 mod rows;
 mod stages;
+mod visits;
 
 pub use break_even::break_evens;
 pub use creation::{Creation, SCENES, here as creation_here};
-pub use measure::measure;
 pub use plan::{Cell, FURTHER_SECONDS, Group, Plan, SceneKind};
+pub use visits::Visits;
 
 use crate::gpu;
 use crate::render::RenderError;
@@ -22,12 +23,12 @@ use crate::scene;
 /// How cells are measured.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Options {
-    /// Frames of each cell that count, at least.
+    /// Frames of each cell that count, at least, over all visits.
     pub rounds: u32,
     /// A group is given further rounds until each of its cells took this long on average, s: a burst of somebody else's
     /// work on the machine is then seldom half of them.
     pub further_seconds: f64,
-    /// Frames of each cell before them; at least one.
+    /// Frames of each cell before them in each visit; at least one.
     pub warm_up: u32,
     /// A cell that took this long is drawn no further, s.
     pub cell_seconds: f64,
@@ -35,6 +36,16 @@ pub struct Options {
     pub seed: u64,
     /// What a frame is.
     pub timing: Timing,
+}
+
+/// Devices on which a group is drawn, one after the other: as many medians as an interval of 95 % needs.
+const VISITS: u32 = 6;
+
+impl Options {
+    /// Devices on which a group is drawn, one after the other; none of them for nothing.
+    pub fn visits(&self) -> u32 {
+        self.rounds.clamp(1, VISITS)
+    }
 }
 
 /// What is done with a frame's commands.

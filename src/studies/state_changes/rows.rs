@@ -3,22 +3,29 @@
 use super::Timing;
 use super::plan::{Cell, Group};
 use crate::gpu::PassCounts;
-use crate::math::statistics::{Interval, mad, median, paired_ratio};
+use crate::math::statistics::{Interval, mad, median, median_interval, paired_ratio};
 use crate::render::state_changes::{Made, Sample};
 use crate::report::{BenchRow, Interval95};
 
 /// What was measured of a cell.
 pub struct Measured<'a> {
-    /// Its frames, round by round.
-    pub samples: &'a [Option<Sample>],
-    /// Those of its base.
-    pub base: &'a [Option<Sample>],
+    /// Visit by visit.
+    pub visits: Vec<Beside<'a>>,
     /// What making it took.
     pub made: Made,
     /// What a frame records.
     pub counts: PassCounts,
     /// Its picture's, in hexadecimal.
     pub hash: Option<String>,
+}
+
+/// A visit's frames of a cell and of its base, round by round.
+#[derive(Clone, Copy)]
+pub struct Beside<'a> {
+    /// The cell's.
+    pub own: &'a [Option<Sample>],
+    /// Its base's.
+    pub base: &'a [Option<Sample>],
 }
 
 /// An interval wider than this share of its estimate does not tell a ratio from its neighbours.
@@ -76,7 +83,7 @@ pub fn row(
 
 fn fill(row: &mut BenchRow, measured: &Measured, timing: Timing) {
     let draws = f64::from(row.draws);
-    let record = values(measured.samples, |sample| Some(sample.record_ns / draws));
+    let record = values(measured, |sample| Some(sample.record_ns / draws));
     row.record_ns_per_draw = median(&record);
     row.record_mad = mad(&record);
     row.samples = record.len() as u32;
@@ -85,10 +92,10 @@ fn fill(row: &mut BenchRow, measured: &Measured, timing: Timing) {
     row.record_relative_95 = record.map(Interval95::from);
     let mut relative = record;
     if timing == Timing::Submit {
-        let submit = values(measured.samples, |sample| Some(sample.submit_to_idle_ms));
+        let submit = values(measured, |sample| Some(sample.submit_to_idle_ms));
         row.submit_to_idle_ms = median(&submit);
         row.submit_to_idle_mad = mad(&submit);
-        let gpu = values(measured.samples, |sample| sample.gpu_ms);
+        let gpu = values(measured, |sample| sample.gpu_ms);
         row.gpu_ms = median(&gpu);
         row.gpu_mad = mad(&gpu);
         relative = ratio(measured, |sample| Some(sample.submit_to_idle_ms));
@@ -104,18 +111,24 @@ fn fill(row: &mut BenchRow, measured: &Measured, timing: Timing) {
     row.image_hash.clone_from(&measured.hash);
 }
 
-fn values(samples: &[Option<Sample>], of: impl Fn(&Sample) -> Option<f64>) -> Vec<f64> {
-    samples.iter().flatten().filter_map(of).collect()
+fn values(measured: &Measured, of: impl Fn(&Sample) -> Option<f64>) -> Vec<f64> {
+    let own = measured.visits.iter().flat_map(|visit| visit.own);
+    own.flatten().filter_map(of).collect()
 }
 
-/// Over the rounds in which both were drawn.
+/// The median over visits of each one's median over the rounds in which both were drawn. What the frames of a visit
+/// share does not narrow the interval.
 fn ratio(measured: &Measured, of: impl Fn(&Sample) -> Option<f64>) -> Option<Interval> {
-    let rounds = measured.samples.iter().zip(measured.base);
-    let pairs = rounds.filter_map(|(own, base)| {
-        let (own, base) = (own.as_ref()?, base.as_ref()?);
-        Some((of(own)?, of(base)?))
-    });
-    paired_ratio(&pairs.collect::<Vec<_>>())
+    let of_visit = |visit: &Beside| {
+        let rounds = visit.own.iter().zip(visit.base);
+        let pairs = rounds.filter_map(|(own, base)| {
+            let (own, base) = (own.as_ref()?, base.as_ref()?);
+            Some((of(own)?, of(base)?))
+        });
+        Some(paired_ratio(&pairs.collect::<Vec<_>>())?.estimate)
+    };
+    let visits: Vec<f64> = measured.visits.iter().filter_map(of_visit).collect();
+    median_interval(&visits)
 }
 
 /// Where the frames do not say enough.
@@ -161,8 +174,20 @@ mod tests {
         }
     }
 
-    /// The row of frames of `own` beside frames of `base`.
+    /// The row of frames of `own` beside frames of `base`, a visit a round.
     fn of(own: &[Option<Sample>], base: &[Option<Sample>], timing: Timing) -> BenchRow {
+        of_visits(own, base, 1, timing)
+    }
+
+    /// The same with so many rounds in a visit.
+    fn of_visits(
+        own: &[Option<Sample>],
+        base: &[Option<Sample>],
+        rounds: usize,
+        timing: Timing,
+    ) -> BenchRow {
+        let visits = own.chunks(rounds).zip(base.chunks(rounds));
+        let visits = visits.map(|(own, base)| Beside { own, base }).collect();
         let cell = Cell {
             mode: &MODES[8],
             order: Order::Shuffled,
@@ -174,8 +199,7 @@ mod tests {
             cells: vec![cell],
         };
         let measured = Measured {
-            samples: own,
-            base,
+            visits,
             made: Made::default(),
             counts: counts(),
             hash: None,
@@ -212,6 +236,21 @@ mod tests {
         let scattered: Vec<_> = (0..12).map(|n| sample(1.0 + f64::from(n % 2))).collect();
         let noisy = of(&scattered, &steady, Timing::Submit);
         assert!(noisy.note.starts_with("noisy: "), "{}", noisy.note);
+    }
+
+    #[test]
+    fn what_the_frames_of_a_visit_share_does_not_narrow_the_interval() {
+        let base: Vec<_> = (0..12).map(|_| sample(1.0)).collect();
+        // Within a visit all frames agree; of six visits one is slower by a fifth.
+        let own: Vec<_> = (0..12)
+            .map(|n| sample(if n < 2 { 2.4 } else { 2.0 }))
+            .collect();
+        let row = of_visits(&own, &base, 2, Timing::Submit);
+        assert_eq!((row.samples, row.relative), (12, Some(2.0)));
+        let interval = row.relative_95.expect("six visits");
+        assert_eq!((interval.low, interval.high), (Some(2.0), Some(2.4)));
+        let five = of_visits(&own[2..], &base[2..], 2, Timing::Submit);
+        assert_eq!(five.relative_95.and_then(|interval| interval.low), None);
     }
 
     #[test]

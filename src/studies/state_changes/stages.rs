@@ -2,7 +2,7 @@
 
 use super::plan::{Cell, Group, SceneKind, most_pipelines};
 use super::{BenchError, Options};
-use crate::gpu::{self, PipelineCache};
+use crate::gpu::{self, DeviceKind, PipelineCache};
 use crate::render::Renderer;
 use crate::render::state_changes::{BareCase, BareStage, Case, Drawing, Mode, Stage};
 use crate::scene::{Order, Scene};
@@ -10,7 +10,7 @@ use crate::scene::{Order, Scene};
 /// Distinct pictures that are made; further materials share them in turn. Every device has this many layers.
 pub const MOST_PICTURES: u32 = 256;
 
-/// A group's scenes on the host, which its stages borrow.
+/// A group's scenes on the host, which its stages borrow. A device's kind says how many pipelines it is asked for.
 pub struct Scenes {
     /// None for bare triangles.
     scenes: Vec<Ordered>,
@@ -31,8 +31,8 @@ impl Scenes {
     ///
     /// # Errors
     /// None that a built program has.
-    pub fn new(renderer: &Renderer, group: &Group, options: &Options) -> Result<Self, BenchError> {
-        let distinct = most_pipelines(renderer.device().info().kind).min(group.materials);
+    pub fn new(kind: DeviceKind, group: &Group, options: &Options) -> Result<Self, BenchError> {
+        let distinct = most_pipelines(kind).min(group.materials);
         let pictures = group
             .cells
             .iter()
