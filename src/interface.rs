@@ -217,3 +217,49 @@ agree!(Bare {
     bare_padding_1,
     bare_padding_2
 });
+
+/// What the probe evaluates a function at; see `shaders-glsl/interface/probe.glsl`.
+#[derive(Clone, Copy, Pod, Zeroable, PartialEq, Debug)]
+#[repr(C)]
+pub struct ProbeInput {
+    /// N.
+    pub normal: [f32; 3],
+    /// sigma or m.
+    pub roughness: f32,
+    /// L.
+    pub light: [f32; 3],
+    /// Reflectance at normal incidence.
+    pub f0: f32,
+    /// E.
+    pub eye: [f32; 3],
+    /// Which of its invocation's inputs it is.
+    pub place: u32,
+}
+agree!(ProbeInput {
+    normal,
+    roughness,
+    light,
+    f0,
+    eye,
+    place
+});
+
+/// What the probe answers.
+#[derive(Clone, Copy, Default, Pod, Zeroable, PartialEq, Debug)]
+#[repr(C)]
+pub struct ProbeResult {
+    /// The value.
+    pub value: f32,
+    /// How many values of the invocation are NaN.
+    pub nans: u32,
+    /// How many are infinite.
+    pub infinities: u32,
+    /// How many are below 0.
+    pub negatives: u32,
+}
+agree!(ProbeResult {
+    value,
+    nans,
+    infinities,
+    negatives
+});

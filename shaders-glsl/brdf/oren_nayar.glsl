@@ -25,11 +25,15 @@ OrenNayarWeights oren_nayar_weights(float sigma) {
 // The paper's NoL (A + B max(0, cos dphi) sin(alpha) tan(beta)) with alpha the larger angle, beta the smaller:
 // s = LoE - NoL NoE = sin(theta_l) sin(theta_e) cos(dphi), and sin(alpha) tan(beta) = sin sin / max(NoL, NoE).
 // Hence NoL (A + B max(0, s) / max(NoL, NoE)); the division remains only where NoE > NoL >= COS_MIN.
-float oren_nayar(OrenNayarWeights weights, float NoL, float NoE, float LoE) {
+float oren_nayar_lobe(OrenNayarWeights weights, float NoL, float NoE, float s) {
     if (NoL < COS_MIN) {
         return 0.0;
     }
-    float s = max(LoE - NoL * NoE, 0.0);
     float foreshortening = NoL >= NoE ? 1.0 : NoL / NoE;
-    return weights.A * NoL + weights.B * s * foreshortening;
+    return weights.A * NoL + weights.B * max(s, 0.0) * foreshortening;
+}
+
+// The same with s in 32 bits.
+float oren_nayar(OrenNayarWeights weights, float NoL, float NoE, float LoE) {
+    return oren_nayar_lobe(weights, NoL, NoE, LoE - NoL * NoE);
 }

@@ -13,6 +13,13 @@ vec3 F_Schlick(vec3 f0, float f90, float one_minus_cos) {
     return f0 + (f90 - f0) * (square * square * one_minus_cos);
 }
 
+// What is not reflected, 1 - F_Schlick, at a cosine of 0..1. Near grazing F is almost 1, and so it is for a mirror: instead
+// of a difference, a sum of terms that are not negative. 1 - (1 - c)^5 = c (5 - 10 c + 10 c^2 - 5 c^3 + c^4).
+vec3 T_Schlick(vec3 f0, float f90, float c) {
+    float rest = c * (5.0 + c * (-10.0 + c * (10.0 + c * (c - 5.0))));
+    return (1.0 - f90) + (f90 - f0) * rest;
+}
+
 // Reflectance of a rough interface for light from all around, seen under NoE: the facets that the eye sees at
 // grazing are tilted towards it, so the rise is held to 1 - m. An approximation (Lagarde 2011, "Adopting a
 // physically based shading model"); never more than F_Schlick.

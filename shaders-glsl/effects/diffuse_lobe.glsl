@@ -18,12 +18,12 @@ void diffuse_lobe(inout Lobes lobes, Surface surface, Incident incident) {
     float NoL = dot(surface.N, incident.L);
     float lobe = NoL < COS_MIN ? 0.0 : NoL;
     rough_diffuse(lobe, surface, NoL, dot(incident.L, surface.E));
-    lobes.diffuse = surface.albedo * (1.0 - surface.F) * (lobe * INV_PI);
+    lobes.diffuse = surface.albedo * surface.through * (lobe * INV_PI);
 }
 
 void diffuse_ambient(inout Lobes lobes, Surface surface, vec3 sky, vec3 ground) {
     if (!called_for(EFFECT_DIFFUSE_LOBE, surface.effects, BIT_DIFFUSE_LOBE)) {
         return;
     }
-    lobes.diffuse = surface.albedo * (1.0 - surface.F) * hemisphere_diffuse(sky, ground, surface.N);
+    lobes.diffuse = surface.albedo * surface.through * hemisphere_diffuse(sky, ground, surface.N);
 }

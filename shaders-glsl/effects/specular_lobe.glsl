@@ -9,13 +9,13 @@
 layout(constant_id = 9) const int EFFECT_SPECULAR_LOBE = -1;
 const uint BIT_SPECULAR_LOBE = 2u;
 
-// What the interface lets out of the base: 1 - F of the angle to the eye. Without the effect F is 0.
+// What the interface lets out of the base, by the angle to the eye. Without the effect it is all.
 void specular_interface(inout Surface surface) {
     if (!called_for(EFFECT_SPECULAR_LOBE, surface.effects, BIT_SPECULAR_LOBE)) {
         return;
     }
     surface.f90 = f90_of(surface.f0);
-    surface.F = F_Schlick(surface.f0, surface.f90, 1.0 - clamp(surface.NoE, 0.0, 1.0));
+    surface.through = T_Schlick(surface.f0, surface.f90, clamp(surface.NoE, 0.0, 1.0));
 }
 
 // The base gets what the interface let in, (1 - F(NoL)), and gives what it lets out, (1 - F(NoE)): reciprocal
@@ -25,7 +25,7 @@ void specular_lobe(inout Lobes lobes, Surface surface, Incident incident) {
         return;
     }
     float NoL = dot(surface.N, incident.L);
-    lobes.diffuse *= 1.0 - F_Schlick(surface.f0, surface.f90, 1.0 - clamp(NoL, 0.0, 1.0));
+    lobes.diffuse *= T_Schlick(surface.f0, surface.f90, clamp(NoL, 0.0, 1.0));
     float m2 = beckmann_m2(surface.roughness, incident.r2);
     lobes.specular =
         cook_torrance(surface.N, incident.L, surface.E, NoL, surface.NoE, m2, surface.f0, surface.f90);

@@ -17,7 +17,7 @@ void transparency(inout Lobes sum, inout float alpha, Surface surface, Material 
     sum.diffuse *= material.opacity;
     alpha = material.opacity;
     if (LIGHTING == LIGHTING_CORRECTED) {
-        float F = max(max(surface.F.r, surface.F.g), surface.F.b);
-        alpha = 1.0 - (1.0 - alpha) * (1.0 - F);
+        float through = min(min(surface.through.r, surface.through.g), surface.through.b);
+        alpha = 1.0 - (1.0 - alpha) * through;
     }
 }

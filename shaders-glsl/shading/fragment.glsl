@@ -60,7 +60,7 @@ Surface plain_surface(Material material, vec3 position, vec3 normal) {
     surface.side = 1.0;
     surface.NoE = 0.0;
     surface.f90 = 0.0;
-    surface.F = vec3(0.0);
+    surface.through = vec3(1.0);
     surface.weights = OrenNayarWeights(1.0, 0.0);
     return surface;
 }

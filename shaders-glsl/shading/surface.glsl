@@ -18,7 +18,7 @@ struct Surface {
     // What does not depend on the lamp, computed once.
     float NoE;
     float f90;       // reflectance of the interface at grazing; 0 without an interface
-    vec3 F;          // reflectance of the interface towards the eye
+    vec3 through;    // what the interface lets out towards the eye, 0..1
     OrenNayarWeights weights;
 };
 

@@ -4,10 +4,12 @@ mod bench;
 mod devices;
 mod doctor;
 mod effects;
+mod eval;
 mod exit;
 mod options;
 mod output;
 mod render;
+mod stability;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -38,6 +40,10 @@ enum Verb {
     Effects(effects::Arguments),
     /// Measure what one pipeline saves, against switching, and what the single shader costs
     Bench(bench::Arguments),
+    /// Hold the lighting functions against their truth, at hard cases and at millions of others
+    Stability(stability::Arguments),
+    /// Evaluate a lighting function as the shaders compute it, at inputs from a file
+    Eval(eval::Arguments),
     /// List the Vulkan devices
     Devices(devices::Arguments),
     /// Say what Vulkan finds on this system, what is missing, and the line that mends it
@@ -64,6 +70,8 @@ pub fn run() -> ExitCode {
         Verb::Render(arguments) => render::run(&arguments, start),
         Verb::Effects(arguments) => effects::run(&arguments),
         Verb::Bench(arguments) => bench::run(&arguments),
+        Verb::Stability(arguments) => stability::run(&arguments),
+        Verb::Eval(arguments) => eval::run(&arguments),
         Verb::Devices(arguments) => devices::run(&arguments),
         Verb::Doctor => doctor::run(),
         Verb::Completions { shell } => {

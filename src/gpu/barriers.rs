@@ -147,6 +147,26 @@ pub(super) fn after_copy(
         .dst_access_mask(access)
 }
 
+/// The barrier before a dispatch: what it reads was written, and whatever used what it writes has ended.
+pub(super) fn before_dispatch() -> vk::MemoryBarrier2<'static> {
+    vk::MemoryBarrier2::default()
+        .src_stage_mask(vk::PipelineStageFlags2::ALL_COMMANDS)
+        .src_access_mask(vk::AccessFlags2::MEMORY_WRITE)
+        .dst_stage_mask(vk::PipelineStageFlags2::COMPUTE_SHADER)
+        .dst_access_mask(
+            vk::AccessFlags2::SHADER_STORAGE_READ | vk::AccessFlags2::SHADER_STORAGE_WRITE,
+        )
+}
+
+/// The barrier before a copy out of a buffer that a dispatch wrote.
+pub(super) fn before_read_back(buffer: vk::Buffer) -> vk::BufferMemoryBarrier2<'static> {
+    buffer_barrier(buffer)
+        .src_stage_mask(vk::PipelineStageFlags2::COMPUTE_SHADER)
+        .src_access_mask(vk::AccessFlags2::SHADER_STORAGE_WRITE)
+        .dst_stage_mask(vk::PipelineStageFlags2::COPY)
+        .dst_access_mask(vk::AccessFlags2::TRANSFER_READ)
+}
+
 fn buffer_barrier(buffer: vk::Buffer) -> vk::BufferMemoryBarrier2<'static> {
     vk::BufferMemoryBarrier2::default()
         .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
@@ -306,6 +326,27 @@ mod tests {
         );
         let b = after_copy(vk::Buffer::null(), false);
         assert_eq!(b.dst_access_mask, Access::MEMORY_READ);
+    }
+
+    #[test]
+    fn a_dispatch_waits_for_what_wrote_and_a_copy_for_what_it_wrote() {
+        let b = before_dispatch();
+        assert_eq!(
+            (b.src_stage_mask, b.src_access_mask),
+            (Stage::ALL_COMMANDS, Access::MEMORY_WRITE)
+        );
+        assert_eq!(b.dst_stage_mask, Stage::COMPUTE_SHADER);
+        let both = Access::SHADER_STORAGE_READ | Access::SHADER_STORAGE_WRITE;
+        assert_eq!(b.dst_access_mask, both);
+        let b = before_read_back(vk::Buffer::null());
+        assert_eq!(
+            (b.src_stage_mask, b.src_access_mask),
+            (Stage::COMPUTE_SHADER, Access::SHADER_STORAGE_WRITE)
+        );
+        assert_eq!(
+            (b.dst_stage_mask, b.dst_access_mask),
+            (Stage::COPY, Access::TRANSFER_READ)
+        );
     }
 
     #[test]

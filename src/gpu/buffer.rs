@@ -20,6 +20,8 @@ pub enum BufferUse {
     UniformWindows,
     /// A storage block.
     Storage,
+    /// A storage block that compute shaders write.
+    Written,
     /// Vertices.
     Vertices,
     /// 32-bit indices.
@@ -40,6 +42,11 @@ impl BufferUse {
                 vk::BufferUsageFlags::UNIFORM_BUFFER | from_staging
             }
             Self::Storage => vk::BufferUsageFlags::STORAGE_BUFFER | from_staging,
+            Self::Written => {
+                vk::BufferUsageFlags::STORAGE_BUFFER
+                    | from_staging
+                    | vk::BufferUsageFlags::TRANSFER_SRC
+            }
             Self::Vertices => vk::BufferUsageFlags::VERTEX_BUFFER | from_staging,
             Self::Indices => vk::BufferUsageFlags::INDEX_BUFFER | from_staging,
             Self::Indirect => vk::BufferUsageFlags::INDIRECT_BUFFER | from_staging,
@@ -191,7 +198,7 @@ impl Drop for Buffer {
 fn check_size(device: &Device, name: &str, usage: BufferUse, bytes: u64) -> Result<(), Error> {
     let limits = &device.limits;
     let range = match usage {
-        BufferUse::Storage => limits.max_storage_buffer_range.into(),
+        BufferUse::Storage | BufferUse::Written => limits.max_storage_buffer_range.into(),
         BufferUse::Uniform => limits.max_uniform_buffer_range.into(),
         _ => u64::MAX,
     };

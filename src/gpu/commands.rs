@@ -145,6 +145,22 @@ impl<'a> Recorder<'a> {
     pub fn copy_buffer(&mut self, from: &'a Buffer, to: &'a mut Buffer, offset: u64, bytes: u64) {
         assert!(from.is_of(&self.device) && to.is_of(&self.device));
         assert!(from.usage() == BufferUse::Staging && to.usage() != BufferUse::Staging);
+        self.copy(from, to, offset, bytes);
+    }
+
+    /// Copies the first `bytes` (at least 1) of a buffer that a dispatch wrote to where the host can read them.
+    ///
+    /// # Panics
+    /// A buffer is smaller, or of another use.
+    pub fn read_back(&mut self, from: &'a Buffer, to: &'a mut Buffer, bytes: u64) {
+        assert!(from.is_of(&self.device) && to.is_of(&self.device));
+        assert!(from.usage() == BufferUse::Written && to.usage() == BufferUse::Readback);
+        let buffers = [barriers::before_read_back(from.raw)];
+        self.barrier(&vk::DependencyInfo::default().buffer_memory_barriers(&buffers));
+        self.copy(from, to, 0, bytes);
+    }
+
+    fn copy(&mut self, from: &Buffer, to: &Buffer, offset: u64, bytes: u64) {
         let end = offset.checked_add(bytes);
         assert!(bytes > 0 && bytes <= from.bytes() && end.is_some_and(|end| end <= to.bytes()));
         self.before_copy(to);
@@ -261,7 +277,7 @@ impl<'a> Recorder<'a> {
         self.barrier(&vk::DependencyInfo::default().buffer_memory_barriers(&buffers));
     }
 
-    fn barrier(&mut self, dependency: &vk::DependencyInfo) {
+    pub(super) fn barrier(&mut self, dependency: &vk::DependencyInfo) {
         // SAFETY: outside a rendering instance; every handle is alive.
         unsafe {
             self.device

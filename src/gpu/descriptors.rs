@@ -23,6 +23,8 @@ pub enum BindingKind {
     UniformWindow,
     /// A read-only storage block.
     Storage,
+    /// A storage block that is written; seen by the compute stage alone.
+    Written,
     /// A `texture2DArray`, of textures or of depth; seen by the fragment stage alone.
     Texture,
     /// A `sampler`; seen by the fragment stage alone.
@@ -34,7 +36,7 @@ impl BindingKind {
         match self {
             Self::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
             Self::UniformWindow => vk::DescriptorType::UNIFORM_BUFFER_DYNAMIC,
-            Self::Storage => vk::DescriptorType::STORAGE_BUFFER,
+            Self::Storage | Self::Written => vk::DescriptorType::STORAGE_BUFFER,
             Self::Texture => vk::DescriptorType::SAMPLED_IMAGE,
             Self::Sampler => vk::DescriptorType::SAMPLER,
         }
@@ -45,6 +47,7 @@ impl BindingKind {
             Self::Uniform | Self::UniformWindow | Self::Storage => {
                 vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT
             }
+            Self::Written => vk::ShaderStageFlags::COMPUTE,
             // The barriers of `ImageUse::ShaderRead` wait for no other stage.
             Self::Texture | Self::Sampler => vk::ShaderStageFlags::FRAGMENT,
         }
@@ -57,7 +60,7 @@ fn of_a_kind(kind: BindingKind) -> usize {
     match kind {
         BindingKind::Uniform => 12,
         BindingKind::UniformWindow => 1,
-        BindingKind::Storage => 4,
+        BindingKind::Storage | BindingKind::Written => 4,
         BindingKind::Texture | BindingKind::Sampler => 16,
     }
 }
@@ -170,6 +173,7 @@ impl Resource {
                 (buffer.usage(), kind),
                 (BufferUse::Uniform, BindingKind::Uniform)
                     | (BufferUse::Storage, BindingKind::Storage)
+                    | (BufferUse::Written, BindingKind::Written)
             ),
             Self::Window(buffer, bytes) => {
                 kind == BindingKind::UniformWindow

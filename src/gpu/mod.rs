@@ -9,7 +9,7 @@
 //! ```text
 //! Instance <- Device <- Buffer, IndirectDraws, Image, TextureArray, DepthArray, Sampler, SetLayout,
 //!                       PipelineCache, Timestamps, Recorder
-//!                       SetLayout <- DescriptorSet, PipelineLayout <- Pipeline
+//!                       SetLayout <- DescriptorSet, PipelineLayout <- Pipeline, ComputePipeline
 //! ```
 //!
 //! Absent on purpose: several queues, asynchronous frames, render pass objects.
@@ -19,6 +19,7 @@ mod bound;
 mod buffer;
 mod canary;
 mod commands;
+mod compute;
 mod depth_array;
 mod descriptors;
 mod device;
@@ -49,6 +50,7 @@ mod validation;
 pub use buffer::{Buffer, BufferUse};
 pub use canary::Canary;
 pub use commands::{Recorded, Recorder};
+pub use compute::{ComputePipeline, MOST_GROUPS};
 pub use depth_array::DepthArray;
 pub use descriptors::{Binding, BindingKind, DescriptorSet, Resource, SetLayout};
 pub use device::Device;

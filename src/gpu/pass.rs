@@ -16,7 +16,6 @@ use super::device::Device;
 use super::indirect::{self, IndirectDraws};
 use super::pass_info::Rendering;
 use super::pipeline::{Pipeline, Targets};
-use super::pipeline_layout::PUSH_STAGES;
 
 /// What one pass recorded.
 #[derive(Clone, PartialEq, Eq, Debug, serde::Serialize)]
@@ -178,7 +177,7 @@ impl<'r, 'a> Pass<'r, 'a> {
             self.device().raw.cmd_push_constants(
                 self.recorder.commands,
                 layout.raw,
-                PUSH_STAGES,
+                layout.push_stages,
                 0,
                 bytes,
             );

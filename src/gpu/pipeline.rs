@@ -172,13 +172,13 @@ impl Drop for Pipeline {
 }
 
 /// A shader module, needed only while its pipeline is made.
-struct Module<'a> {
+pub(super) struct Module<'a> {
     device: &'a Device,
     raw: vk::ShaderModule,
 }
 
 impl<'a> Module<'a> {
-    fn new(device: &'a Device, Spirv(words): Spirv, name: &str) -> Result<Self, Error> {
+    pub(super) fn new(device: &'a Device, Spirv(words): Spirv, name: &str) -> Result<Self, Error> {
         let words = spirv::module_words(words, device.preserves_nan);
         let info = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the words come from the project's own compiler, which validated them.
@@ -264,7 +264,7 @@ fn create(
     }
 }
 
-fn stage_info<'a>(
+pub(super) fn stage_info<'a>(
     stage: vk::ShaderStageFlags,
     module: &Module,
     constants: &'a vk::SpecializationInfo,
@@ -276,7 +276,9 @@ fn stage_info<'a>(
         .specialization_info(constants)
 }
 
-fn specialization(constants: &[Constant]) -> (Vec<vk::SpecializationMapEntry>, Vec<i32>) {
+pub(super) fn specialization(
+    constants: &[Constant],
+) -> (Vec<vk::SpecializationMapEntry>, Vec<i32>) {
     let entries = (0..)
         .step_by(size_of::<i32>())
         .zip(constants)

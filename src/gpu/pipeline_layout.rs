@@ -14,8 +14,8 @@ pub(super) const MOST_SETS: usize = 4;
 /// The bytes of push constants that every device has (same table).
 const MOST_PUSH_BYTES: u32 = 128;
 
-/// The stages that see push constants.
-pub(super) const PUSH_STAGES: vk::ShaderStageFlags = vk::ShaderStageFlags::from_raw(
+/// The stages of a picture that see push constants.
+const DRAWING: vk::ShaderStageFlags = vk::ShaderStageFlags::from_raw(
     vk::ShaderStageFlags::VERTEX.as_raw() | vk::ShaderStageFlags::FRAGMENT.as_raw(),
 );
 
@@ -24,6 +24,7 @@ pub struct PipelineLayout {
     pub(super) raw: vk::PipelineLayout,
     pub(super) sets: Vec<Arc<SetLayout>>,
     pub(super) push_bytes: u32,
+    pub(super) push_stages: vk::ShaderStageFlags,
     device: Arc<Device>,
 }
 
@@ -42,6 +43,33 @@ impl PipelineLayout {
         sets: &[&Arc<SetLayout>],
         push_bytes: u32,
     ) -> Result<Arc<Self>, Error> {
+        Self::of_stages(device, name, sets, push_bytes, DRAWING)
+    }
+
+    /// The same for compute pipelines, which find one set.
+    ///
+    /// # Panics
+    /// As `new`.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn for_compute(
+        device: &Arc<Device>,
+        name: &str,
+        set: &Arc<SetLayout>,
+        push_bytes: u32,
+    ) -> Result<Arc<Self>, Error> {
+        let stage = vk::ShaderStageFlags::COMPUTE;
+        Self::of_stages(device, name, &[set], push_bytes, stage)
+    }
+
+    fn of_stages(
+        device: &Arc<Device>,
+        name: &str,
+        sets: &[&Arc<SetLayout>],
+        push_bytes: u32,
+        push_stages: vk::ShaderStageFlags,
+    ) -> Result<Arc<Self>, Error> {
         assert!((1..=MOST_SETS).contains(&sets.len()), "{name}: sets");
         assert!(sets.iter().all(|set| set.is_of(device)), "{name}: device");
         assert!(
@@ -50,7 +78,7 @@ impl PipelineLayout {
         );
         let raw_sets: Vec<_> = sets.iter().map(|set| set.raw).collect();
         let range = vk::PushConstantRange::default()
-            .stage_flags(PUSH_STAGES)
+            .stage_flags(push_stages)
             .size(push_bytes);
         let ranges = Vec::from_iter((push_bytes > 0).then_some(range));
         let info = vk::PipelineLayoutCreateInfo::default()
@@ -64,6 +92,7 @@ impl PipelineLayout {
             raw,
             sets: sets.iter().copied().cloned().collect(),
             push_bytes,
+            push_stages,
             device: Arc::clone(device),
         }))
     }

@@ -1,5 +1,6 @@
 //! What do the references and the measurements compute with, in f64?
 
+pub mod double;
 pub mod fnv;
 pub mod frame;
 pub mod quadrature;

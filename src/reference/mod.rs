@@ -6,6 +6,7 @@
 pub mod beckmann;
 pub mod cook_torrance;
 pub mod coupled;
+pub mod given;
 pub mod hemisphere;
 pub mod oren_nayar;
 pub mod punctual;

@@ -37,8 +37,6 @@ pub struct Method {
     pub plan: String,
     /// Frames of each cell that count, at least, if its time suffices.
     pub rounds: u32,
-    /// Devices on which they are drawn, one after the other: an interval is between the medians of these.
-    pub visits: u32,
     /// Cells that are drawn in turn get further frames until each took this long on average, s.
     pub further_seconds: f64,
     /// Frames of each cell before them, on each device, that do not.
@@ -84,6 +82,9 @@ pub struct BenchRow {
     pub gpu_mad: Option<f64>,
     /// Frames that counted.
     pub samples: u32,
+    /// Fresh devices on which they were drawn, one after the other: intervals are between the medians of these, or
+    /// between frames where there is one.
+    pub devices: u32,
     /// Draw commands in a frame, as the recorder counted them.
     pub draw_calls: u64,
     /// Pipeline binds.

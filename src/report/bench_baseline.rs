@@ -108,6 +108,7 @@ fn check_row(row: &BenchRow) -> Result<(), String> {
         ("width", row.width.into(), MOST_SIDE),
         ("height", row.height.into(), MOST_SIDE),
         ("samples", row.samples.into(), MOST_DRAWS),
+        ("devices", row.devices.into(), MOST_DRAWS),
         ("draw_calls", row.draw_calls, MOST_COMMANDS),
         ("pipeline_binds", row.pipeline_binds, MOST_COMMANDS),
         (

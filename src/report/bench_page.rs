@@ -82,12 +82,11 @@ fn write_method(page: &mut String, report: &BenchReport) {
     };
     let frames = format!(
         "At least {} that count, and further ones until each cell took {} s on average; a cell that took {} s gets no \
-         further frame. They are spread over {}, one after the other; on each, {} before them do not count. The \
-         cells of a group take turns, a frame each, in an order that each round draws anew.",
+         further frame. They are spread over several fresh devices, one after the other; on \
+         each, {} before them do not count. The cells of a group take turns, a frame each, in an order that each round draws anew.",
         count(method.rounds.into(), "frame"),
         figure(method.further_seconds),
         figure(method.cell_seconds),
-        count(method.visits.into(), "fresh device"),
         match method.warm_up {
             1 => "the frame".to_owned(),
             frames => format!("the {frames} frames"),
@@ -100,8 +99,9 @@ fn write_method(page: &mut String, report: &BenchReport) {
         ("of base", "The ratio to the base's frame of the same round, so that a clock that changes between rounds cancels: \
           the median of each device's median.".to_owned()),
         ("95 %", "The interval between two order statistics of the devices' medians, by the sign test: it assumes no \
-          distribution. Fewer than 6 have none. What the frames of one device share, such as where its memory lies, \
-          does not narrow it.".to_owned()),
+          distribution, and fewer than 6 have none. What the frames of one device share, such as where its memory \
+          lies, does not narrow it. Where frames or compiling take long there is one device, and the interval is \
+          between its frames.".to_owned()),
         ("sorted", "All draws of a material follow each other: a switch a material.".to_owned()),
         ("shuffled", "Draws in an order by chance, the same for all modes: a switch before almost every draw.".to_owned()),
         ("nothing", "The frame of the harness without any draw: what the other rows contain that is not theirs.".to_owned()),

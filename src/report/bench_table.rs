@@ -87,12 +87,11 @@ fn title(report: &BenchReport) -> String {
     let device = &report.device;
     let rows = count(report.rows.len() as u64, "row");
     let rounds = count(method.rounds.into(), "round");
-    let devices = count(method.visits.into(), "fresh device");
     let [name, driver, version] =
         [&device.name, &device.driver, &device.driver_version].map(|text| plain(text));
     let (plan, method) = (plain(&method.plan), plain(&method.name));
     format!(
-        "{name}, {driver} {version}; plan {plan}, method {method}, at least {rounds} on {devices}; {rows}; [95 % intervals]\n"
+        "{name}, {driver} {version}; plan {plan}, method {method}, at least {rounds}; {rows}; [95 % intervals]\n"
     )
 }
 

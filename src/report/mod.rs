@@ -14,6 +14,7 @@ mod interval;
 mod plot;
 mod provenance;
 mod render;
+mod stability;
 mod table;
 
 pub use bench::{BenchReport, BenchRow, BreakEven, Method};
@@ -27,4 +28,5 @@ pub use effects::{BuildRow, EffectRow, EffectsReport};
 pub use interval::Interval95;
 pub use provenance::{Device, Machine, Program};
 pub use render::{Image, RenderReport, SceneSize};
+pub use stability::{StabilityReport, StabilityRow};
 pub use table::{Align, write_table};

@@ -5,6 +5,7 @@
 mod effects;
 mod first_draw;
 mod own_process;
+pub mod stability;
 pub mod state_changes;
 
 pub use effects::{Options, SceneStudy, frames, study};

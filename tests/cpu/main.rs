@@ -9,6 +9,7 @@ mod coordinates;
 mod coupled;
 mod crease_normals;
 mod effects;
+mod given;
 mod hemisphere;
 mod layout;
 mod maps;

@@ -8,6 +8,7 @@ mod options;
 #[cfg(unix)]
 mod outputs;
 mod picture;
+mod stability;
 #[cfg(target_os = "linux")]
 mod streams;
 

@@ -18,6 +18,7 @@ mod records;
 mod shadows;
 mod slides_breakdown;
 mod spheres;
+mod stability;
 mod state_changes;
 mod textures;
 #[path = "../tolerances.rs"]

@@ -175,7 +175,6 @@ fn new_report(
             name: arguments.method_name().to_owned(),
             plan: plan.name.to_owned(),
             rounds: options.rounds,
-            visits: options.visits(),
             further_seconds: options.further_seconds,
             warm_up: options.warm_up,
             cell_seconds: options.cell_seconds,

@@ -213,3 +213,115 @@ fn indirect_draws_beyond_the_indices_are_refused() {
         panic!("{error}");
     }
 }
+
+/// What a dispatch needs: a pipeline that writes its one word, and a set for it.
+struct Computing {
+    bench: Bench,
+    pipeline: ComputePipeline,
+    set: DescriptorSet,
+    words: Arc<Buffer>,
+}
+
+const WRITER: &str = "#version 460
+layout(local_size_x = 1) in;
+layout(set = 0, binding = 0) buffer Words { uint words[]; };
+layout(push_constant) uniform Push { uint pushed; };
+void main() { words[gl_GlobalInvocationID.x] += pushed; }";
+
+impl Computing {
+    fn new() -> Result<Self, Box<dyn std::error::Error>> {
+        let bench = Bench::new()?;
+        let device = &bench.device;
+        let written = Binding {
+            slot: 0,
+            kind: BindingKind::Written,
+        };
+        let layout = SetLayout::new(device, "computing", &[written])?;
+        let pipelines = PipelineLayout::for_compute(device, "computing", &layout, 4)?;
+        let shader = spirv(WRITER, glslang::ShaderStage::Compute)?;
+        let data = [1_u32, 2, 3, 4];
+        let data = bytemuck::cast_slice(&data);
+        let words = Buffer::with_data(device, "words", BufferUse::Written, data)?;
+        let words = Arc::new(words);
+        let resources = [Resource::Buffer(Arc::clone(&words))];
+        Ok(Self {
+            pipeline: ComputePipeline::new(
+                device,
+                &pipelines,
+                &bench.cache,
+                "computing",
+                shader,
+                &[],
+            )?,
+            set: DescriptorSet::new(&layout, "computing", &resources)?,
+            words,
+            bench,
+        })
+    }
+}
+
+#[test]
+fn dispatches_see_what_was_written_before_them() -> Outcome {
+    let computing = Computing::new()?;
+    let device = &computing.bench.device;
+    let mut to = Buffer::new(device, "to", BufferUse::Readback, 16)?;
+    let mut recorder = Recorder::new(device, "computing")?;
+    // More groups than words: what would be written beyond the buffer is not.
+    recorder.dispatch(
+        &computing.pipeline,
+        &computing.set,
+        &10_u32.to_ne_bytes(),
+        9,
+    );
+    recorder.dispatch(
+        &computing.pipeline,
+        &computing.set,
+        &100_u32.to_ne_bytes(),
+        3,
+    );
+    recorder.read_back(&computing.words, &mut to, 16);
+    recorder.submit()?;
+    let words: Vec<u32> = bytemuck::cast_slice(to.read()?).to_vec();
+    assert_eq!(words, [111, 112, 113, 14]);
+    computing.bench.silent();
+    Ok(())
+}
+
+/// Records dispatches with `work`.
+fn computing(work: impl for<'a> FnOnce(&'a Computing, &mut Recorder<'a>)) {
+    let outcome = || -> Outcome {
+        let computing = Computing::new()?;
+        let mut recorder = Recorder::new(&computing.bench.device, "computing")?;
+        work(&computing, &mut recorder);
+        Ok(())
+    };
+    if let Err(error) = outcome() {
+        panic!("{error}");
+    }
+}
+
+#[test]
+#[should_panic(expected = "the push constants of the pipeline's layout")]
+fn a_dispatch_without_its_push_constants_is_refused() {
+    computing(|c, recorder| recorder.dispatch(&c.pipeline, &c.set, &[], 1));
+}
+
+#[test]
+#[should_panic(expected = "65536 work groups")]
+fn more_groups_than_every_device_takes_are_refused() {
+    computing(|c, recorder| recorder.dispatch(&c.pipeline, &c.set, &[0; 4], MOST_GROUPS + 1));
+}
+
+#[test]
+#[should_panic(expected = "its set")]
+fn a_dispatch_with_the_set_of_another_layout_is_refused() {
+    let outcome = || -> Outcome {
+        let (one, other) = (Computing::new()?, Computing::new()?);
+        let mut recorder = Recorder::new(&one.bench.device, "computing")?;
+        recorder.dispatch(&one.pipeline, &other.set, &[0; 4], 1);
+        Ok(())
+    };
+    if let Err(error) = outcome() {
+        panic!("{error}");
+    }
+}

@@ -36,6 +36,8 @@ pub struct Frames {
 pub struct Turn<'a> {
     /// From 0.
     pub number: u32,
+    /// How many there are.
+    pub visits: u32,
     /// Over all visits.
     pub options: &'a Options,
     /// The group's.
@@ -45,13 +47,13 @@ pub struct Turn<'a> {
 impl Turn<'_> {
     /// Rounds of this visit, at least.
     fn rounds(&self) -> u32 {
-        let (rounds, visits) = (self.options.rounds, self.options.visits());
+        let (rounds, visits) = (self.options.rounds, self.visits);
         rounds * (self.number + 1) / visits - rounds * self.number / visits
     }
 
     /// What is a visit's share of seconds for all of them.
     fn share(&self, seconds: f64) -> f64 {
-        seconds / f64::from(self.options.visits())
+        seconds / f64::from(self.visits)
     }
 }
 
@@ -201,14 +203,17 @@ impl<'a> Bench<'a> {
         progress: &dyn Fn(u64),
     ) -> Result<(), BenchError> {
         let Turn {
-            number, options, ..
+            number,
+            visits,
+            options,
+            ..
         } = *self.turn;
         let mut random = fastrand::Rng::with_seed(options.seed.wrapping_add(number.into()));
         let mut places: Vec<_> = (0..running.len()).collect();
         let start = Instant::now();
         let seconds = self.turn.share(options.further_seconds) * running.len() as f64;
         let least = self.turn.rounds();
-        for round in 0..(MOST_ROUNDS / options.visits()).max(least) {
+        for round in 0..(MOST_ROUNDS / visits).max(least) {
             let spent = start.elapsed().as_secs_f64();
             if round >= least && spent > seconds {
                 break;

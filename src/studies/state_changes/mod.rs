@@ -38,16 +38,6 @@ pub struct Options {
     pub timing: Timing,
 }
 
-/// Devices on which a group is drawn, one after the other: as many medians as an interval of 95 % needs.
-const VISITS: u32 = 6;
-
-impl Options {
-    /// Devices on which a group is drawn, one after the other; none of them for nothing.
-    pub fn visits(&self) -> u32 {
-        self.rounds.clamp(1, VISITS)
-    }
-}
-
 /// What is done with a frame's commands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Timing {

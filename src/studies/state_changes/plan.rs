@@ -107,6 +107,13 @@ const SIDES: [u32; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
 /// Some 12 rounds of 10,000 draws on a CPU driver, and the full plan ends within an hour.
 pub const FURTHER_SECONDS: f64 = 0.4;
 
+/// See `Group::visits`.
+const VISITS: u32 = 6;
+/// From so many draws on a CPU driver draws the zoo for more than a second.
+const LONG_DRAWS: u32 = 100_000;
+/// Pipelines of more materials take a CPU driver more than 4 s to compile.
+const LONG_MATERIALS: u32 = 64;
+
 /// Up to so many materials the pipelines of a group's four cells that have one for each are well below a hundred.
 const MOST_TOGETHER: u32 = 8;
 
@@ -149,6 +156,14 @@ impl Group {
             ..self.clone()
         };
         groups.map(group).collect()
+    }
+
+    /// Devices on which it is drawn, one after the other, in so many rounds: as many medians as an interval of 95 % needs.
+    /// One where drawing or compiling takes long: the hour that a full plan has is better spent on frames.
+    pub fn visits(&self, rounds: u32) -> u32 {
+        let baked = self.cells.iter().any(|cell| cell.mode.source.is_baked());
+        let long = self.draws >= LONG_DRAWS || baked && self.materials > LONG_MATERIALS;
+        if long { 1 } else { rounds.clamp(1, VISITS) }
     }
 
     /// The wall that it draws, with so many distinct materials and pictures.

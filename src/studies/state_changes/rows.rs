@@ -57,6 +57,7 @@ pub fn row(
         gpu_ms: None,
         gpu_mad: None,
         samples: 0,
+        devices: 0,
         draw_calls: 0,
         pipeline_binds: 0,
         descriptor_set_binds: 0,
@@ -87,6 +88,7 @@ fn fill(row: &mut BenchRow, measured: &Measured, timing: Timing) {
     row.record_ns_per_draw = median(&record);
     row.record_mad = mad(&record);
     row.samples = record.len() as u32;
+    row.devices = measured.visits.len() as u32;
     let record = ratio(measured, |sample| Some(sample.record_ns));
     row.record_relative = record.map(|ratio| ratio.estimate);
     row.record_relative_95 = record.map(Interval95::from);
@@ -116,8 +118,8 @@ fn values(measured: &Measured, of: impl Fn(&Sample) -> Option<f64>) -> Vec<f64> 
     own.flatten().filter_map(of).collect()
 }
 
-/// The median over visits of each one's median over the rounds in which both were drawn. What the frames of a visit
-/// share does not narrow the interval.
+/// The median over visits of each one's median over the rounds in which both were drawn: what the frames of a visit
+/// share does not narrow the interval. Of one visit, the median over its rounds.
 fn ratio(measured: &Measured, of: impl Fn(&Sample) -> Option<f64>) -> Option<Interval> {
     let of_visit = |visit: &Beside| {
         let rounds = visit.own.iter().zip(visit.base);
@@ -125,10 +127,13 @@ fn ratio(measured: &Measured, of: impl Fn(&Sample) -> Option<f64>) -> Option<Int
             let (own, base) = (own.as_ref()?, base.as_ref()?);
             Some((of(own)?, of(base)?))
         });
-        Some(paired_ratio(&pairs.collect::<Vec<_>>())?.estimate)
+        paired_ratio(&pairs.collect::<Vec<_>>())
     };
-    let visits: Vec<f64> = measured.visits.iter().filter_map(of_visit).collect();
-    median_interval(&visits)
+    if let [one] = &measured.visits[..] {
+        return of_visit(one);
+    }
+    let visits = measured.visits.iter().filter_map(of_visit);
+    median_interval(&visits.map(|ratio| ratio.estimate).collect::<Vec<_>>())
 }
 
 /// Where the frames do not say enough.

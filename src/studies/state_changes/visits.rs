@@ -46,7 +46,7 @@ impl<'a> Visits<'a> {
 
     /// How many more there are to be.
     pub fn left(&self) -> u32 {
-        self.options.visits() - self.done.len() as u32
+        self.group.visits(self.options.rounds) - self.done.len() as u32
     }
 
     /// Draws the group on a device that did nothing else before. `progress` hears of each frame.
@@ -56,6 +56,7 @@ impl<'a> Visits<'a> {
     pub fn visit(&mut self, renderer: &Renderer, progress: &dyn Fn(u64)) -> Result<(), BenchError> {
         let turn = Turn {
             number: self.done.len() as u32,
+            visits: self.group.visits(self.options.rounds),
             options: self.options,
             scenes: &self.scenes,
         };

@@ -1,0 +1,22 @@
+// How are facets that are small mirrors evaluated near a sharp peak, and near the surface? With the lost digits.
+
+#include "brdf/cook_torrance.glsl"
+#include "math/double_float.glsl"
+
+// `half_vector` with its sine and its cosine rounded once. L + E and L - E themselves need no more than 32 bits: each
+// component errs by 2^-24 of itself, and their squares are added without cancellation.
+HalfVector half_vector_compensated(vec3 N, vec3 L, vec3 E, float NoL, float NoE) {
+    HalfVector h = half_vector(N, L, E, NoL, NoE);
+    vec3 sine = cross_of_sum(N, L, E);
+    h.sine2 = dot(sine, sine);
+    return h;
+}
+
+vec3 cook_torrance_compensated(vec3 N, vec3 L, vec3 E, float m2, vec3 f0, float f90) {
+    float NoL = dot_double(N, L).x;
+    float NoE = dot_double(N, E).x;
+    if (NoL < COS_MIN || NoE < COS_MIN) {
+        return vec3(0.0);
+    }
+    return cook_torrance_lobe(half_vector_compensated(N, L, E, NoL, NoE), NoL, NoE, m2, f0, f90);
+}
