@@ -8,6 +8,8 @@
 #include "brdf/v_cavity.glsl"
 #include "compensated/cook_torrance.glsl"
 #include "compensated/oren_nayar.glsl"
+#include "half/oren_nayar.glsl"
+#include "half/schlick.glsl"
 #include "interface/probe.glsl"
 #include "math/direction.glsl"
 #include "math/hash.glsl"
@@ -32,11 +34,16 @@ const int FUNCTION_NOTHING = 8; // what an evaluation costs without its function
 
 const int TIER_F32 = 0;
 const int TIER_COMPENSATED = 1;
+const int TIER_HALF = 2;
 
 const int SOURCE_HOST = 0;
 const int SOURCE_CHANCE = 1; // each invocation keeps its last input, or the first whose value is no number or below 0
 const int SOURCE_WORST = 2;  // each keeps the input at which the tiers differ most
 const int SOURCE_AGAIN = 3;  // the host's inputs in turn, for the clock; the result is their values' sum
+
+// Evaluations of an input for the clock, so that reading it weighs little, and what moves it in between: 2^-20.
+const uint AGAIN = 16u;
+const float NUDGE = 9.5367431640625e-7;
 
 // The least m that the lobe itself is asked for; the picture's materials stop at M_MIN.
 const float PROBED_M_MIN = 1.0e-4;
@@ -46,7 +53,13 @@ float oren_nayar_value(ProbeInput p, int tier) {
     if (tier == TIER_COMPENSATED) {
         return oren_nayar_compensated(weights, p.normal, p.light, p.eye);
     }
-    return oren_nayar(weights, dot(p.normal, p.light), dot(p.normal, p.eye), dot(p.light, p.eye));
+    float NoL = dot(p.normal, p.light);
+    float NoE = dot(p.normal, p.eye);
+    float LoE = dot(p.light, p.eye);
+    if (tier == TIER_HALF) {
+        return oren_nayar_half(p.roughness, NoL, NoE, LoE);
+    }
+    return oren_nayar(weights, NoL, NoE, LoE);
 }
 
 float cook_torrance_value(ProbeInput p, int tier, float m2) {
@@ -98,10 +111,13 @@ float facet_value(ProbeInput p, int tier) {
     return D_Beckmann(h.sine2 / Noh2, h.hh / Noh2, m * m);
 }
 
-float schlick_value(ProbeInput p) {
+float schlick_value(ProbeInput p, int tier) {
     vec3 difference = p.light - p.eye;
     vec3 h = p.light + p.eye;
     float one_minus_cos = 0.25 * dot(difference, difference) / (1.0 + 0.5 * sqrt(dot(h, h)));
+    if (tier == TIER_HALF) {
+        return F_Schlick_half(p.f0, one_minus_cos);
+    }
     return F_Schlick(vec3(p.f0), f90_of(vec3(p.f0)), one_minus_cos).x;
 }
 
@@ -117,7 +133,7 @@ float value_of(ProbeInput p, int tier) {
         return facet_value(p, tier);
     }
     if (PROBE_FUNCTION == FUNCTION_SCHLICK_F) {
-        return schlick_value(p);
+        return schlick_value(p, tier);
     }
     if (PROBE_FUNCTION == FUNCTION_CORRECTED) {
         return corrected_value(p, tier);
@@ -178,11 +194,12 @@ ProbeInput drawn(inout uint state, uint place) {
     return p;
 }
 
-// Whether accuracy is promised there: 1e-6 above the surface, and where a lobe is at least 1e-6 of its peak, e^-13.8.
+// Whether accuracy is promised there: 1e-6 above the surface (0.01 in 16 bits), and where a lobe is at least 1e-6 of its peak, e^-13.8.
 bool promised(ProbeInput p) {
     float NoL = dot_double(p.normal, p.light).x;
     float NoE = dot_double(p.normal, p.eye).x;
-    if (PROBE_FUNCTION != FUNCTION_SCHLICK_F && min(NoL, NoE) < 1.0e-6) {
+    float least = PROBE_TIER == TIER_HALF ? 1.0e-2 : 1.0e-6;
+    if (PROBE_FUNCTION != FUNCTION_SCHLICK_F && min(NoL, NoE) < least) {
         return false;
     }
     if (PROBE_FUNCTION == FUNCTION_OREN_NAYAR || PROBE_FUNCTION == FUNCTION_V_CAVITY_G
@@ -228,7 +245,15 @@ void main() {
     }
     if (PROBE_SOURCE == SOURCE_AGAIN) {
         for (uint place = 0u; place < probe_repeats; place++) {
-            sum.value += value_of(probe_inputs[(i + place) % probe_count], PROBE_TIER);
+            ProbeInput p = probe_inputs[(i + place) % probe_count];
+            for (uint again = 0u; again < AGAIN; again++) {
+                sum.value += value_of(p, PROBE_TIER);
+                // Nothing may be kept from one evaluation to the next.
+                p.normal.z += NUDGE;
+                p.light.y += NUDGE;
+                p.eye.x += NUDGE;
+                p.roughness += NUDGE;
+            }
         }
         probe_results[i] = sum;
         return;

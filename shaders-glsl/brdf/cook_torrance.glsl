@@ -26,7 +26,7 @@ HalfVector half_vector(vec3 N, vec3 L, vec3 E, float NoL, float NoE) {
 // f NoL = D F G / (4 NoE), with D normalised; NoL = N.L and NoE = N.E at least COS_MIN; m2 of beckmann_m2.
 //
 // E.H = |h|/2, and 1 - E.H = |L-E|^2 / (4 (1 + E.H)) because |L+E|^2 + |L-E|^2 = 4: no cancellation, never negative.
-// N.h >= 2^-21, so every divisor is at least 2^-42, and the lobe finite.
+// N.h >= 2^-21, so every divisor is at least 2^-42, and the lobe finite. Errs as D_Beckmann does.
 vec3 cook_torrance_lobe(HalfVector h, float NoL, float NoE, float m2, vec3 f0, float f90) {
     float Noh2 = h.Noh * h.Noh;
     float LoH = 0.5 * sqrt(h.hh);

@@ -25,6 +25,7 @@ OrenNayarWeights oren_nayar_weights(float sigma) {
 // The paper's NoL (A + B max(0, cos dphi) sin(alpha) tan(beta)) with alpha the larger angle, beta the smaller:
 // s = LoE - NoL NoE = sin(theta_l) sin(theta_e) cos(dphi), and sin(alpha) tan(beta) = sin sin / max(NoL, NoE).
 // Hence NoL (A + B max(0, s) / max(NoL, NoE)); the division remains only where NoE > NoL >= COS_MIN.
+// For cosines from 1e-6 on it errs by at most 2e-6 of itself, and by what s brings: in 32 bits 2e-7 / min(NoL, NoE).
 float oren_nayar_lobe(OrenNayarWeights weights, float NoL, float NoE, float s) {
     if (NoL < COS_MIN) {
         return 0.0;

@@ -4,6 +4,14 @@ layout(constant_id = 0) const int LIGHTING = 2;      // one of the LIGHTING_ val
 layout(constant_id = 1) const int TERM_AMBIENT = 1;  // 0 or 1
 layout(constant_id = 2) const int TERM_DIFFUSE = 1;  // 0 or 1
 layout(constant_id = 3) const int TERM_SPECULAR = 1; // 0 or 1
+layout(constant_id = 4) const int INSPECTED = 0;     // one of the INSPECT_ values
+layout(constant_id = 5) const int INSPECTED_LIGHT = 0; // number of the lamp
+
+// What is written in place of light, where a picture is looked into.
+const int INSPECT_NOTHING = 0;
+const int INSPECT_NORMAL = 1; // N, and the number of the material
+const int INSPECT_EYE = 2;    // E, and the roughness
+const int INSPECT_LIGHT = 3;  // L of a lamp, and the largest channel of f0; -1 where nothing arrives
 
 const int LIGHTING_PHONG = 0;
 const int LIGHTING_SLIDES = 1;

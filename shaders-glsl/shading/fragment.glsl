@@ -131,6 +131,22 @@ Lobes lamp(uint i, Surface surface, float shininess) {
     return corrected_light(surface, incident);
 }
 
+// What light is made from.
+vec4 inspected(Surface surface, uint material) {
+    if (INSPECTED == INSPECT_NORMAL) {
+        return vec4(surface.N, float(material));
+    }
+    if (INSPECTED == INSPECT_EYE) {
+        return vec4(surface.E, surface.roughness);
+    }
+    Light light = lights[uint(INSPECTED_LIGHT)];
+    Incident incident = parallel_light(light);
+    point_light(incident, light, surface.position);
+    spot_light(incident, light);
+    float f0 = max(max(surface.f0.r, surface.f0.g), surface.f0.b);
+    return vec4(incident.L, incident.arrives ? f0 : -1.0);
+}
+
 void main() {
     Material material = material_of_draw(in_material, in_coordinates);
     MapPlace place = map_place(in_coordinates, material.map_repeat);
@@ -150,6 +166,10 @@ void main() {
     surface.NoE = dot(surface.N, surface.E);
     specular_interface(surface);
     rough_diffuse_weights(surface);
+    if (INSPECTED != INSPECT_NOTHING) {
+        out_colour = inspected(surface, in_material);
+        return;
+    }
 
     Lobes sum = Lobes(vec3(0.0), vec3(0.0));
     if (TERM_AMBIENT != 0) {

@@ -16,7 +16,7 @@ pub struct Arguments {
     /// The function; see --list
     #[arg(required_unless_present = "list", value_parser = Function::of_name)]
     function: Option<&'static Function>,
-    /// The arithmetic: f32 or f32-compensated
+    /// The arithmetic: f16, f32 or f32-compensated
     #[arg(long, default_value = "f32", value_parser = Tier::of_name)]
     tier: Tier,
     /// Tell the functions, what they take and give, and in which tiers
@@ -61,12 +61,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(function) = arguments.function else {
         return crate::cli::output::print_bytes(list().as_bytes());
     };
-    if !function.tiers.contains(&arguments.tier) {
-        let message = format!(
-            "{}: it is the same in every tier but {}; ask for that one",
-            function.name,
-            arguments.tier.name()
-        );
+    if let Some(why) = function.why_not(arguments.tier) {
+        let message = format!("{} in {}: {why}", function.name, arguments.tier.name());
         return Err(Failure::new(Exit::Usage, message));
     }
     let output = Output::open(&arguments.output)?;

@@ -1,5 +1,7 @@
 //! How does `umber render` go from a scene's file to a picture's?
 
+mod check;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -16,9 +18,11 @@ use crate::reference::shade::Terms;
 use crate::render::effects::{Build, Effects};
 use crate::render::{
     self, Defects, FrameReport, Picture, PictureFormat, Renderer, Settings, ToneMapping, Variant,
+    exposure_factor,
 };
 use crate::report::{Image, Program, RenderReport, SceneSize};
 use crate::scene::{self, LoadOptions, Scene};
+use crate::studies::stability::{BadPixel, bad_pixels};
 
 /// Options of `umber render`.
 #[derive(clap::Args)]
@@ -64,6 +68,10 @@ pub struct Arguments {
     /// Exposure of a PNG, EV at ISO 100 [default: the scene's]
     #[arg(long, value_name = "EV100", allow_negative_numbers = true, value_parser = exposure)]
     exposure: Option<f32>,
+    /// Show pixels that hold a NaN, an infinity or a negative value in false colours (magenta, yellow, cyan), and tell the
+    /// line that makes each again; one sample a pixel
+    #[arg(long, conflicts_with = "samples")]
+    check: bool,
     #[command(flatten)]
     json: JsonArgument,
     /// Say nothing but errors
@@ -94,11 +102,16 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
     say(arguments, warnings);
     let device = open_device(arguments)?;
     let rendered = render(arguments, &device, &scene);
+    let looked = rendered.and_then(|rendered| look(arguments, &device, &scene, rendered));
     // Also, and above all, where the frame failed.
     let messages = device.instance().validation_log().drain();
     messages.iter().for_each(talk);
-    let (image, frame) = rendered?;
-    let defects = image.defects();
+    let Rendered {
+        image,
+        frame,
+        defects,
+        bad_pixels,
+    } = looked?;
     let bytes = encode(arguments, &scene, &image, picture.format)?;
     let path = picture.path.display().to_string();
     picture.output.write(&bytes)?;
@@ -117,7 +130,47 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
     if let Some(json) = json {
         write_json(json, &report)?;
     }
+    if arguments.check {
+        check::tell(&bad_pixels, &defects);
+        judge_messages(messages.len())?;
+        return check::judge(&defects);
+    }
     judge(messages.len(), &defects)
+}
+
+/// What is written and told.
+struct Rendered {
+    image: Picture,
+    frame: FrameReport,
+    defects: Defects,
+    bad_pixels: Vec<BadPixel>,
+}
+
+/// Looks into bad pixels, where that is asked for.
+fn look(
+    arguments: &Arguments,
+    device: &Arc<Device>,
+    scene: &Scene,
+    (image, frame): (Picture, FrameReport),
+) -> Result<Rendered, Failure> {
+    let defects = image.defects();
+    if !arguments.check {
+        return Ok(Rendered {
+            image,
+            frame,
+            defects,
+            bad_pixels: Vec::new(),
+        });
+    }
+    let renderer = Renderer::new(device, None)?;
+    let bad_pixels = bad_pixels(&renderer, scene, &settings(arguments), &image)?;
+    let ev100 = arguments.exposure.unwrap_or(scene.camera.exposure_ev100);
+    Ok(Rendered {
+        image: image.false_colours(1.0 / exposure_factor(ev100)),
+        frame,
+        defects,
+        bad_pixels,
+    })
 }
 
 fn render(
@@ -158,7 +211,10 @@ fn settings(arguments: &Arguments) -> Settings {
     Settings {
         width: arguments.size.0,
         height: arguments.size.1,
-        samples: arguments.samples,
+        samples: match arguments.check {
+            true => Samples::One,
+            false => arguments.samples,
+        },
         variant: Variant {
             lighting: arguments.lighting.model(),
             terms: Terms {
@@ -266,7 +322,7 @@ fn describe(path: String, arguments: &Arguments, picture: &Picture, defects: &De
         path,
         width: picture.width,
         height: picture.height,
-        samples: arguments.samples.count(),
+        samples: settings(arguments).samples.count(),
         nan_pixels: defects.not_finite(),
     }
 }

@@ -1,15 +1,17 @@
 //! How does `umber stability` go from functions to a table of what they keep?
 
+use std::path::PathBuf;
+
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{DeviceArgument, count, software};
-use crate::cli::output::{JsonArgument, print_bytes, talk, write_json};
+use crate::cli::output::{JsonArgument, Output, print_bytes, talk, write_json};
 use crate::gpu::{Device, Error};
 use crate::render::library::{FUNCTIONS, Function, Tier};
-use crate::report::{Machine, Program, StabilityReport};
+use crate::report::{Machine, Program, StabilityReport, stability_page};
 use crate::scene::suggest;
-use crate::studies::stability::{Amount, CASES, Case, Study};
+use crate::studies::stability::{Amount, CASES, Case, Study, costs};
 
 /// Options of `umber stability`.
 #[derive(clap::Args)]
@@ -23,7 +25,7 @@ pub struct Arguments {
     /// The functions, with commas between them [default: all; `umber eval --list` tells them]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = Function::of_name)]
     function: Vec<&'static Function>,
-    /// The tiers: f32, f32-compensated [default: both]
+    /// The tiers: f16, f32, f32-compensated [default: all]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = Tier::of_name)]
     tier: Vec<Tier>,
     /// The cases of the corpus [default: all]
@@ -39,6 +41,9 @@ pub struct Arguments {
     device: DeviceArgument,
     #[command(flatten)]
     json: JsonArgument,
+    /// Write one page with maps of the bits lost, method and machine
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
     /// Tell the cases of the corpus
     #[arg(long)]
     list: bool,
@@ -46,6 +51,14 @@ pub struct Arguments {
     #[arg(short, long)]
     quiet: bool,
 }
+
+/// Functions whose bits are mapped, listing and library side by side.
+const MAPPED: [&str; 4] = [
+    "oren-nayar",
+    "cook-torrance",
+    "slides-oren-nayar",
+    "slides-cook-torrance",
+];
 
 /// Ten million values of each function in each tier are 1.3e8 in all.
 const QUICK: Amount = Amount {
@@ -57,7 +70,7 @@ const QUICK: Amount = Amount {
 
 /// 1.1e10 in all without the listings, and no function below 10^8.
 const FULL: Amount = Amount {
-    case: 1 << 20,
+    case: 1 << 18,
     chance: 1_000_000_000,
     worst: 20_000_000,
     seed: 0,
@@ -117,6 +130,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return print_bytes(list().as_bytes());
     }
     let json = arguments.json.open()?;
+    let page = arguments.report.as_deref().map(Output::open).transpose()?;
+    if let (Some(json), Some(path)) = (&json, &arguments.report)
+        && json.is(path)
+    {
+        let message = format!(
+            "{}: it is given twice, and would be overwritten",
+            path.display()
+        );
+        return Err(Failure::new(Exit::Usage, message));
+    }
     let device = arguments.device.open()?;
     let bar = progress_bar(arguments);
     let mut report = StabilityReport {
@@ -127,6 +150,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         seed: arguments.seed,
         evaluations: 0,
         rows: Vec::new(),
+        costs: Vec::new(),
+        maps: Vec::new(),
         program: Program::this(),
     };
     let done = study(arguments, &device, &bar, &mut report);
@@ -134,6 +159,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let messages = device.instance().validation_log().drain();
     messages.iter().for_each(talk);
     done?;
+    if let Some(page) = page {
+        page.write(stability_page(&report).as_bytes())?;
+    }
     match json {
         Some(json) => write_json(json, &report)?,
         None => print_bytes(report.table(software(device.info().kind)).as_bytes())?,
@@ -160,7 +188,21 @@ fn study(
             report.rows.push(study.chance(&progress)?);
             report.rows.extend(study.worst(&progress)?);
             report.rows.extend(study.search(&progress)?);
+            let readings = arguments
+                .cases()
+                .into_iter()
+                .flat_map(|case| study.readings(case));
+            let mut readings: Vec<_> = readings.collect();
+            readings.sort_by(|a, b| a.tier.cmp(&b.tier));
+            report.rows.extend(readings);
+            if MAPPED.contains(&function.name) && tier != Tier::F16 {
+                report.maps.push(study.map()?);
+            }
         }
+    }
+    if arguments.case.is_empty() && arguments.function.is_empty() {
+        bar.set_message("costs");
+        report.costs = costs(device)?;
     }
     report.evaluations = report.rows.iter().map(|row| row.inputs).sum();
     Ok(())

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use super::draw_list::TooMany;
 use super::effects::{EffectSet, Effects};
+use super::inspection::Inspection;
 use super::picture::Picture;
 use super::plan::Plan;
 use super::renderer::{RenderError, Renderer, Settings};
@@ -75,6 +76,19 @@ impl<'s> Frame<'s> {
         uploaded: &'s Uploaded<'s>,
         settings: &Settings,
     ) -> Result<Self, RenderError> {
+        Self::inspecting(renderer, uploaded, settings, Inspection::Nothing)
+    }
+
+    /// The same for a frame of numbers in place of light; one sample a pixel keeps them whole.
+    ///
+    /// # Errors
+    /// As `new`.
+    pub fn inspecting(
+        renderer: &'s Renderer,
+        uploaded: &'s Uploaded<'s>,
+        settings: &Settings,
+        inspection: Inspection,
+    ) -> Result<Self, RenderError> {
         let device = &renderer.device;
         let images = device.images_created();
         let targets = Targets::new(device, settings.width, settings.height, settings.samples)?;
@@ -99,6 +113,7 @@ impl<'s> Frame<'s> {
             pipelines: &renderer.pipelines,
             uploaded,
             settings,
+            inspection,
         };
         let batches = plan.batches()?;
         let shadow = match depths {

@@ -6,6 +6,9 @@ use crate::scene::suggest;
 /// With how much arithmetic a function is evaluated.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Tier {
+    /// 16-bit floats, for what survives them. Emulated: every operation is rounded to a half float, which shows what is
+    /// left and not what is saved.
+    F16,
     /// 32-bit floats, as every frame is shaded.
     F32,
     /// The same, but dot and cross products of the directions keep the digits that 32 bits round away.
@@ -14,11 +17,12 @@ pub enum Tier {
 
 impl Tier {
     /// All, the cheapest first.
-    pub const ALL: [Self; 2] = [Self::F32, Self::F32Compensated];
+    pub const ALL: [Self; 3] = [Self::F16, Self::F32, Self::F32Compensated];
 
     /// What rows and the command line call it.
     pub fn name(self) -> &'static str {
         match self {
+            Self::F16 => "f16",
             Self::F32 => "f32",
             Self::F32Compensated => "f32-compensated",
         }
@@ -36,6 +40,7 @@ impl Tier {
     /// The shader's constant.
     pub(super) fn constant(self) -> i32 {
         match self {
+            Self::F16 => values::TIER_HALF,
             Self::F32 => values::TIER_F32,
             Self::F32Compensated => values::TIER_COMPENSATED,
         }
@@ -53,14 +58,14 @@ pub struct Function {
     pub gives: &'static str,
     /// Where it comes from.
     pub source: &'static str,
-    /// The tiers that differ.
+    /// The tiers that there are.
     pub tiers: &'static [Tier],
     /// Whether it is the slides' listing, with its faults.
     pub is_listing: bool,
     pub(super) constant: i32,
 }
 
-const BOTH: &[Tier] = &Tier::ALL;
+const BOTH: &[Tier] = &[Tier::F32, Tier::F32Compensated];
 const PLAIN: &[Tier] = &[Tier::F32];
 
 /// All of them. Directions N, L, E are unit vectors: normal, to the light, to the eye.
@@ -70,7 +75,7 @@ pub const FUNCTIONS: &[Function] = &[
         takes: "roughness: sigma, radians, 0 to 1",
         gives: "pi f (N.L) for albedo 1: the cosine is included, 1/pi is not",
         source: "Oren and Nayar 1994, qualitative model; no more than 1 comes back",
-        tiers: BOTH,
+        tiers: &Tier::ALL,
         is_listing: false,
         constant: values::FUNCTION_OREN_NAYAR,
     },
@@ -97,7 +102,7 @@ pub const FUNCTIONS: &[Function] = &[
         takes: "f0, 0 to 1; N is not used",
         gives: "the reflectance at the half vector of L and E, 0 to 1",
         source: "Schlick 1994; f90 = min(1, 50 f0)",
-        tiers: PLAIN,
+        tiers: &[Tier::F16, Tier::F32],
         is_listing: false,
         constant: values::FUNCTION_SCHLICK_F,
     },
@@ -139,6 +144,17 @@ pub const FUNCTIONS: &[Function] = &[
     },
 ];
 
+/// A sum of its inputs: what an evaluation costs without a function. Not among `FUNCTIONS`.
+pub static NOTHING: Function = Function {
+    name: "nothing",
+    takes: "all",
+    gives: "their sum",
+    source: "the probe",
+    tiers: PLAIN,
+    is_listing: false,
+    constant: values::FUNCTION_NOTHING,
+};
+
 impl Function {
     /// The function of that name.
     ///
@@ -147,6 +163,23 @@ impl Function {
     pub fn of_name(name: &str) -> Result<&'static Self, String> {
         let found = FUNCTIONS.iter().find(|function| function.name == name);
         found.ok_or_else(|| suggest::unknown("function", name, FUNCTIONS.iter().map(|f| f.name)))
+    }
+}
+
+impl Function {
+    /// Why it is not to be had in a tier; none where it is.
+    pub fn why_not(&self, tier: Tier) -> Option<&'static str> {
+        if self.tiers.contains(&tier) {
+            return None;
+        }
+        Some(match tier {
+            _ if self.is_listing => "the slides' listing is what it is: f32",
+            Tier::F16 => {
+                "in 16 bits the half vector's sine and cosine are lost where the lobe is narrow or low (half of D below a \
+                 roughness of 0.05, and 0/0 near the surface): f32"
+            }
+            Tier::F32 | Tier::F32Compensated => "no dot product of directions cancels in it: f32",
+        })
     }
 }
 
@@ -161,7 +194,7 @@ mod tests {
         }
         let error = Function::of_name("orennayar").unwrap_err();
         assert!(error.contains("'oren-nayar'"), "{error}");
-        let error = Tier::of_name("f23").unwrap_err();
+        let error = Tier::of_name("f33").unwrap_err();
         assert!(error.contains("'f32'"), "{error}");
     }
 }

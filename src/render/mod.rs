@@ -12,6 +12,7 @@ mod draw_list;
 pub mod effects;
 mod frame;
 mod geometry;
+mod inspection;
 pub mod library;
 mod maps;
 mod picture;
@@ -34,7 +35,8 @@ mod variant;
 
 pub use draw_list::{Draw, DrawList, TooMany, draw_list};
 pub use frame::{Frame, FrameReport};
-pub use picture::{Defects, Picture};
+pub use inspection::Inspection;
+pub use picture::{Defect, Defects, Picture};
 pub use picture_file::{OutputFile, PictureFormat, encode};
 pub use renderer::{RenderError, Renderer, Settings};
 pub use shadow_maps::ShadowMaps;

@@ -26,6 +26,39 @@ pub struct Defects {
     pub first: Option<(u32, u32)>,
 }
 
+/// Why a pixel is none that a screen can show.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Defect {
+    /// A value is NaN.
+    Nan,
+    /// One is infinite, and none NaN.
+    Infinite,
+    /// One is below 0, and all are finite.
+    Negative,
+}
+
+impl Defect {
+    /// What is wrong with a pixel, if anything is.
+    pub fn of(pixel: &[f32; 4]) -> Option<Self> {
+        let any = |is: fn(f32) -> bool| pixel.iter().any(|value| is(*value));
+        match () {
+            () if any(f32::is_nan) => Some(Self::Nan),
+            () if any(f32::is_infinite) => Some(Self::Infinite),
+            () if any(|value| value < 0.0) => Some(Self::Negative),
+            () => None,
+        }
+    }
+
+    /// Its false colour: magenta, yellow, cyan.
+    pub fn colour(self) -> [f32; 3] {
+        match self {
+            Self::Nan => [1.0, 0.0, 1.0],
+            Self::Infinite => [1.0, 1.0, 0.0],
+            Self::Negative => [0.0, 1.0, 1.0],
+        }
+    }
+}
+
 impl Defects {
     /// Pixels with a NaN or an infinity.
     pub fn not_finite(&self) -> usize {
@@ -75,21 +108,43 @@ impl Picture {
     /// `isnan` away.
     pub fn defects(&self) -> Defects {
         let mut defects = Defects::default();
-        for (pixel, place) in self.pixels.iter().zip(0_u32..) {
-            if pixel.iter().all(|value| value.is_finite()) {
-                defects.negative += usize::from(pixel.iter().any(|value| *value < 0.0));
-                continue;
+        for ((x, y), defect) in self.defective() {
+            match defect {
+                Defect::Nan => defects.nan += 1,
+                Defect::Infinite => defects.infinite += 1,
+                Defect::Negative => defects.negative += 1,
             }
-            defects
-                .first
-                .get_or_insert((place % self.width, place / self.width));
-            if pixel.iter().any(|value| value.is_nan()) {
-                defects.nan += 1;
-            } else {
-                defects.infinite += 1;
+            if defect != Defect::Negative {
+                defects.first.get_or_insert((x, y));
             }
         }
         defects
+    }
+
+    /// The pixels that are not non-negative numbers: column and row, and why.
+    pub fn defective(&self) -> impl Iterator<Item = ((u32, u32), Defect)> {
+        let places = (0_u32..).map(|place| (place % self.width, place / self.width));
+        let pixels = places.zip(&self.pixels);
+        pixels.filter_map(|(place, pixel)| Some((place, Defect::of(pixel)?)))
+    }
+
+    /// The picture with those in their false colours, as bright as `white`, and the others in dim grey.
+    pub fn false_colours(&self, white: f32) -> Self {
+        let shown = |pixel: &[f32; 4]| {
+            let [r, g, b] = match Defect::of(pixel) {
+                Some(defect) => defect.colour().map(|channel| channel * white),
+                None => {
+                    let [r, g, b, _] = *pixel;
+                    // Luminance of linear sRGB (IEC 61966-2-1), a quarter of it.
+                    [0.25 * (0.2126 * r + 0.7152 * g + 0.0722 * b).min(white); 3]
+                }
+            };
+            [r, g, b, 1.0]
+        };
+        Self {
+            pixels: self.pixels.iter().map(shown).collect(),
+            ..*self
+        }
     }
 }
 
@@ -116,6 +171,13 @@ mod tests {
             first: Some((1, 1)),
         };
         assert_eq!(picture.defects(), expected);
+        let shown = picture.false_colours(10.0);
+        assert_eq!(shown.defects(), Defects::default());
+        assert_eq!(shown.at(1, 0), [0.0, 10.0, 10.0, 1.0]);
+        assert_eq!(shown.at(1, 1), [10.0, 0.0, 10.0, 1.0]);
+        assert_eq!(shown.at(1, 2), [10.0, 10.0, 0.0, 1.0]);
+        let [r, g, b, _] = shown.at(0, 0);
+        assert!(r == g && g == b && r > 0.0 && r < 0.25 * 2.0);
         assert_eq!(picture.at(1, 2)[2], f32::INFINITY);
     }
 }

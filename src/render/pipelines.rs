@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::effects::States;
 use super::geometry::Attributes;
+use super::inspection::Inspection;
 use super::variant::Variant;
 use crate::gpu::{
     Attribute, Constant, Device, Error, Output, Pipeline, PipelineCache, PipelineInfo,
@@ -31,6 +32,7 @@ pub enum PassKey {
     /// The pass `shading`.
     Surface {
         variant: Variant,
+        inspection: Inspection,
         attributes: Attributes,
         samples: Samples,
     },
@@ -61,9 +63,13 @@ impl PipelineKey {
 
     /// The constants of all stages; a stage passes over those that it does not have.
     pub fn constants(&self, subpixel_bits: u32) -> Vec<Constant> {
-        let variant = match self.pass {
-            PassKey::Surface { variant, .. } => variant,
-            PassKey::Shadow { .. } => Variant::default(),
+        let (variant, inspection) = match self.pass {
+            PassKey::Surface {
+                variant,
+                inspection,
+                ..
+            } => (variant, inspection),
+            PassKey::Shadow { .. } => (Variant::default(), Inspection::Nothing),
         };
         let tables = [
             (constants::MAP_CLASSES, self.map_classes),
@@ -72,9 +78,17 @@ impl PipelineKey {
         .map(|(id, value)| Constant { id, value });
         let variant = variant.constants().into_iter();
         variant
+            .chain(inspection.constants())
             .chain(self.states.constants())
             .chain(tables)
             .collect()
+    }
+
+    fn output(&self) -> Output {
+        match self.pass {
+            PassKey::Surface { inspection, .. } => inspection.output(),
+            PassKey::Shadow { .. } => Output::Blended,
+        }
     }
 
     pub fn targets(&self) -> Targets {
@@ -93,7 +107,11 @@ impl PipelineKey {
 impl fmt::Display for PipelineKey {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.pass {
-            PassKey::Surface { variant, .. } => write!(f, "surface[{variant}; {}]", self.states),
+            PassKey::Surface {
+                variant,
+                inspection,
+                ..
+            } => write!(f, "surface[{variant}; {}{inspection}]", self.states),
             PassKey::Shadow { masked: true, .. } => write!(f, "shadow[alpha-mask]"),
             PassKey::Shadow { masked: false, .. } => write!(f, "shadow"),
         }
@@ -154,7 +172,7 @@ impl Pipelines {
             attributes: &key.inputs(),
             constants: &key.constants(self.device.subpixel_bits()),
             targets: key.targets(),
-            output: Output::Blended,
+            output: key.output(),
         };
         Pipeline::new(&self.device, &self.layout, &self.cache, &info)
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::draw_list::Draw;
 use super::effects::{Build, States};
 use super::geometry::Attributes;
+use super::inspection::Inspection;
 use super::maps::SIZE_CLASSES;
 use super::pipelines::{PassKey, PipelineKey, Pipelines};
 use super::renderer::Settings;
@@ -22,6 +23,8 @@ pub struct Plan<'a> {
     pub uploaded: &'a Uploaded<'a>,
     /// How.
     pub settings: &'a Settings,
+    /// What is written.
+    pub inspection: Inspection,
 }
 
 impl Plan<'_> {
@@ -55,6 +58,7 @@ impl Plan<'_> {
         let pipeline = self.pipelines.get(PipelineKey {
             pass: PassKey::Surface {
                 variant,
+                inspection: self.inspection,
                 attributes,
                 samples,
             },

@@ -142,7 +142,7 @@ impl Probe {
         Ok(all)
     }
 
-    /// A clock for evaluations at `inputs`, again and again: of each invocation `repeats`.
+    /// A clock for evaluations at and about `inputs`: each invocation takes `repeats` of them, and each several times.
     ///
     /// # Errors
     /// There is no memory, or the driver fails.
@@ -243,7 +243,8 @@ impl ProbeClock<'_> {
             Some(timestamps) => timestamps.elapsed_ms()? * 1e6,
             None => before.elapsed().as_secs_f64() * 1e9,
         };
-        Ok(ns / (f64::from(self.job.count) * f64::from(self.job.repeats)))
+        let evaluations = f64::from(self.job.count) * f64::from(self.job.repeats);
+        Ok(ns / (evaluations * f64::from(values::AGAIN)))
     }
 }
 

@@ -1,7 +1,4 @@
 //! How does a bench report become a page that needs nothing but itself?
-//!
-//! It is XML as well as HTML, so that a test can read it. Whatever comes from the report is escaped: names are a
-//! driver's, and a report may be anyone's.
 
 use std::fmt::Write as _;
 
@@ -10,31 +7,18 @@ use super::bench_headlines::headlines;
 use super::bench_plots::{anchor, figures};
 use super::bench_table::{cells, group_title, heads, is_number};
 use super::bench_words::{count, figure, groups, plain, records_only};
+use super::page;
 use super::plot::{escape, put};
 
 /// The page.
 pub fn page(report: &BenchReport) -> String {
-    let title = "What one pipeline saves";
-    let device = escape(&report.device.name);
-    let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width\"/>\n\
-         <title>{title}: {device}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
-        include_str!("bench_page.css")
-    );
-    put!(
-        page,
-        "<h1>{title}</h1>\n<p class=\"under\">Measured by umber bench on {}, {} {}.</p>\n",
-        device,
-        escape(&report.device.driver),
-        escape(&report.device.driver_version)
-    );
+    let mut page = page::begin("What one pipeline saves", "umber bench", &report.device);
     write_headlines(&mut page, report);
     write_figures(&mut page, report);
     write_method(&mut page, report);
-    write_machine(&mut page, report);
+    page::write_machine(&mut page, &report.device, &report.machine, &report.program);
     write_rows(&mut page, report);
-    page.push_str("</body>\n</html>\n");
+    page::end(&mut page);
     page
 }
 
@@ -71,7 +55,7 @@ fn write_figures(page: &mut String, report: &BenchReport) {
 /// What was timed, what the words mean, what it does not say, and how to do it again.
 fn write_method(page: &mut String, report: &BenchReport) {
     let method = &report.method;
-    page.push_str("<h2>Method</h2>\n<dl>\n");
+    page.push_str("<h2>Method</h2>\n");
     let timed = match records_only(report) {
         true => "Command buffers are recorded and reset, and never submitted.",
         false => {
@@ -117,8 +101,8 @@ fn write_method(page: &mut String, report: &BenchReport) {
             told => format!("{told}: what a frame frees stays with the program, and is not asked for anew in the next."),
         }),
     ];
-    write_items(page, &items);
-    page.push_str("</dl>\n<h2>Limits</h2>\n<ul>\n");
+    page::write_items(page, &items);
+    page.push_str("<h2>Limits</h2>\n<ul>\n");
     for limit in limits(report) {
         put!(page, "<li>{}</li>\n", escape(limit));
     }
@@ -164,45 +148,6 @@ fn command(report: &BenchReport) -> String {
         command.push_str("   # and the options that chose the cells");
     }
     command
-}
-
-fn write_items(page: &mut String, items: &[(&str, String)]) {
-    for (name, text) in items.iter().filter(|(_, text)| !text.is_empty()) {
-        put!(page, "<dt>{}</dt><dd>{}</dd>\n", escape(name), escape(text));
-    }
-}
-
-fn write_machine(page: &mut String, report: &BenchReport) {
-    let (device, machine, program) = (&report.device, &report.machine, &report.program);
-    let gibibytes = |bytes: u64| format!("{:.1} GiB", bytes as f64 / f64::from(1 << 30));
-    page.push_str("<h2>Machine</h2>\n<dl>\n");
-    let items = [
-        ("device", format!("{} ({})", device.name, device.kind)),
-        (
-            "driver",
-            format!("{} {}", device.driver, device.driver_version),
-        ),
-        ("Vulkan", device.api.clone()),
-        ("UUID", device.uuid.clone()),
-        ("processor", machine.processor.clone()),
-        (
-            "threads",
-            machine
-                .threads
-                .map_or(String::new(), |threads| threads.to_string()),
-        ),
-        (
-            "memory",
-            machine.memory_bytes.map_or(String::new(), gibibytes),
-        ),
-        ("system", machine.system.clone()),
-        (
-            "program",
-            format!("umber {}, revision {}", program.version, program.revision),
-        ),
-    ];
-    write_items(page, &items);
-    page.push_str("</dl>\n");
 }
 
 fn write_rows(page: &mut String, report: &BenchReport) {

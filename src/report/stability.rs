@@ -1,5 +1,7 @@
 //! Where does which function stay with its truth: as rows, and as a table?
 
+use super::bench_words::thousands;
+use super::interval::Interval95;
 use super::provenance::{Device, Machine, Program};
 use super::table::{Align, write_table};
 
@@ -20,6 +22,10 @@ pub struct StabilityReport {
     pub evaluations: u64,
     /// Function by function, tier by tier, case by case.
     pub rows: Vec<StabilityRow>,
+    /// What the safe forms cost; empty where only some cases were asked for.
+    pub costs: Vec<CostRow>,
+    /// Bits lost over roughness and angle; empty where only some cases were asked for.
+    pub maps: Vec<BitsMap>,
     /// What made this report.
     pub program: Program,
 }
@@ -29,7 +35,7 @@ pub struct StabilityReport {
 pub struct StabilityRow {
     /// The function; the slides' listings are named `slides-*`.
     pub function: String,
-    /// `f32` or `f32-compensated`.
+    /// `f16`, `f32` or `f32-compensated`; of a listing also what a processor makes of it by each reading of `min` and `max`.
     pub tier: String,
     /// A case of the corpus; `chance` (drawn at random, every hundredth judged), `worst` (of each hundred the one at
     /// which the tiers differ most) or `search` (what climbing from the worst finds).
@@ -62,6 +68,69 @@ pub struct StabilityRow {
     pub held: bool,
 }
 
+/// What a function in a tier costs, net of reading inputs and writing results.
+#[derive(Clone, PartialEq, Debug, serde::Serialize)]
+pub struct CostRow {
+    /// The function.
+    pub function: String,
+    /// The tier.
+    pub tier: String,
+    /// The slides' listing that it stands for.
+    pub listing: String,
+    /// Median of an evaluation, ns.
+    pub ns: f64,
+    /// Median of one of the listing, ns.
+    pub listing_ns: f64,
+    /// The median of the ratios, sample by sample.
+    pub relative: f64,
+    /// Its interval.
+    pub relative_95: Interval95,
+}
+
+/// How many bits a function in a tier loses, over roughness and the angle of the light.
+#[derive(Clone, PartialEq, Debug, serde::Serialize)]
+pub struct BitsMap {
+    /// The function.
+    pub function: String,
+    /// The tier.
+    pub tier: String,
+    /// The roughness of each column.
+    pub roughness: Vec<f64>,
+    /// The angle of the light to the normal of each row, degrees.
+    pub degrees: Vec<f64>,
+    /// Row by row the most bits lost in a cell; null where nothing is promised.
+    pub bits: Vec<Vec<Option<f64>>>,
+    /// Row by row how many values are NaN, infinite or below 0.
+    pub bad: Vec<Vec<u32>>,
+}
+
+/// All rows of a function in a tier.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Summary {
+    /// The function.
+    pub function: String,
+    /// The tier.
+    pub tier: String,
+    /// Values made.
+    pub inputs: u64,
+    /// Of which NaN.
+    pub nan: u64,
+    /// Of which infinite.
+    pub inf: u64,
+    /// Of which below 0.
+    pub negative: u64,
+    /// The largest error, of the truth.
+    pub max_relative_error: Option<f64>,
+    /// The largest error, of what is promised where it occurred.
+    pub max_of_bound: Option<f64>,
+    /// The most bits lost.
+    pub max_bits_lost: Option<f64>,
+    /// Whether anything is promised.
+    pub held: bool,
+    /// Its worst row: one with a value that is none or below 0, or that of the largest error over its bound.
+    pub row: usize,
+}
+
 impl StabilityReport {
     /// The layout that `schema` names.
     pub const SCHEMA: &'static str = "umber.stability/1";
@@ -69,6 +138,20 @@ impl StabilityReport {
     /// The rows in which a promise is broken.
     pub fn broken(&self) -> impl Iterator<Item = &StabilityRow> {
         self.rows.iter().filter(|row| row.is_broken())
+    }
+
+    /// Each function in each tier, in the order of the rows.
+    pub fn summaries(&self) -> Vec<Summary> {
+        let mut summaries: Vec<Summary> = Vec::new();
+        for (i, row) in self.rows.iter().enumerate() {
+            match summaries.last_mut() {
+                Some(last) if (&last.function, &last.tier) == (&row.function, &row.tier) => {
+                    last.add(i, row, &self.rows);
+                }
+                _ => summaries.push(Summary::of(i, row)),
+            }
+        }
+        summaries
     }
 
     /// The table as a person reads it, `beside` the device's name what is to be known of it.
@@ -80,27 +163,79 @@ impl StabilityReport {
             self.device.driver_version,
             self.plan,
             self.seed,
-            self.evaluations,
+            thousands(self.evaluations),
         );
         let rows = self.rows.iter().map(|row| {
             let title = format!("{}, {}", row.function, row.tier);
             (title, cells(row))
         });
         write_table(&mut text, HEAD, ALIGN, rows);
+        let costs = self.costs.iter().map(|row| {
+            let title = "cost, net of reading and writing".to_owned();
+            (title, cost_cells(row))
+        });
+        if !self.costs.is_empty() {
+            write_table(&mut text, COST_HEAD, COST_ALIGN, costs);
+        }
         text
     }
 }
 
-impl StabilityRow {
-    /// Whether a value is none, is below 0, or is further off than promised.
-    pub fn is_broken(&self) -> bool {
-        let bad = self.nan + self.inf + self.negative > 0;
-        let off = self.max_of_bound.is_some_and(|share| share > 1.0);
-        self.held && (bad || off)
+impl Summary {
+    fn of(i: usize, row: &StabilityRow) -> Self {
+        Self {
+            function: row.function.clone(),
+            tier: row.tier.clone(),
+            inputs: row.inputs,
+            nan: row.nan,
+            inf: row.inf,
+            negative: row.negative,
+            max_relative_error: row.max_relative_error,
+            max_of_bound: row.max_of_bound,
+            max_bits_lost: row.max_bits_lost,
+            held: row.held,
+            row: i,
+        }
+    }
+
+    fn add(&mut self, i: usize, row: &StabilityRow, rows: &[StabilityRow]) {
+        let rank = |row: &StabilityRow| (row.bad(), row.max_of_bound.unwrap_or(0.0));
+        if rank(row) > rank(&rows[self.row]) {
+            self.row = i;
+        }
+        self.inputs += row.inputs;
+        self.nan += row.nan;
+        self.inf += row.inf;
+        self.negative += row.negative;
+        self.max_relative_error = larger(self.max_relative_error, row.max_relative_error);
+        self.max_of_bound = larger(self.max_of_bound, row.max_of_bound);
+        self.max_bits_lost = larger(self.max_bits_lost, row.max_bits_lost);
     }
 }
 
-const HEAD: [&str; 9] = [
+/// The larger of two figures that may be missing.
+fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.max(b)),
+        (one, other) => one.or(other),
+    }
+}
+
+impl StabilityRow {
+    /// Values that are NaN, infinite or below 0.
+    fn bad(&self) -> u64 {
+        self.nan + self.inf + self.negative
+    }
+
+    /// Whether a value is none, is below 0, or is further off than promised.
+    pub fn is_broken(&self) -> bool {
+        let off = self.max_of_bound.is_some_and(|share| share > 1.0);
+        self.held && (self.bad() > 0 || off)
+    }
+}
+
+/// The columns.
+pub(super) const HEAD: [&str; 9] = [
     "case",
     "inputs",
     "judged",
@@ -112,7 +247,8 @@ const HEAD: [&str; 9] = [
     "bits lost",
 ];
 
-const ALIGN: [Align; 9] = [
+/// How they stand.
+pub(super) const ALIGN: [Align; 9] = [
     Align::Left,
     Align::Right,
     Align::Right,
@@ -124,22 +260,48 @@ const ALIGN: [Align; 9] = [
     Align::Right,
 ];
 
-fn cells(row: &StabilityRow) -> [String; 9] {
+/// A row as a person reads it.
+pub(super) fn cells(row: &StabilityRow) -> [String; 9] {
     let number = |number: Option<f64>, digits: &dyn Fn(f64) -> String| {
         number.map_or_else(|| "-".to_owned(), digits)
     };
     [
         row.case.clone(),
-        row.inputs.to_string(),
-        row.judged.to_string(),
-        row.nan.to_string(),
-        row.inf.to_string(),
-        row.negative.to_string(),
+        thousands(row.inputs),
+        thousands(row.judged),
+        thousands(row.nan),
+        thousands(row.inf),
+        thousands(row.negative),
         number(row.max_relative_error, &|error| format!("{error:.1e}")),
         match row.held {
             true => number(row.max_of_bound, &|share| format!("{share:.2}")),
             false => "-".to_owned(),
         },
         number(row.max_bits_lost, &|bits| format!("{bits:.1}")),
+    ]
+}
+
+/// The columns of costs.
+pub(super) const COST_HEAD: [&str; 5] = ["function", "tier", "ns", "listing ns", "of listing"];
+
+/// How they stand.
+pub(super) const COST_ALIGN: [Align; 5] = [
+    Align::Left,
+    Align::Left,
+    Align::Right,
+    Align::Right,
+    Align::Right,
+];
+
+/// A cost as a person reads it.
+pub(super) fn cost_cells(row: &CostRow) -> [String; 5] {
+    let bound = |bound: Option<f64>| bound.map_or("-".to_owned(), |bound| format!("{bound:.2}"));
+    let Interval95 { low, high } = row.relative_95;
+    [
+        row.function.clone(),
+        row.tier.clone(),
+        format!("{:.2}", row.ns),
+        format!("{:.2}", row.listing_ns),
+        format!("{:.2} [{}, {}]", row.relative, bound(low), bound(high)),
     ]
 }

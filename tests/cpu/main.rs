@@ -32,6 +32,7 @@ mod shader_build;
 #[path = "../../src/shader_build/mod.rs"]
 mod shader_builder;
 mod shapes;
+mod stability_report;
 mod statistics;
 mod textures;
 mod tidy;

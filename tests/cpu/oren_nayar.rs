@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use umber::math::frame::spherical;
 use umber::math::quadrature::{GaussLegendre, hemisphere};
 use umber::reference::oren_nayar::{
     CONSERVES_FROM, conserving_lobe, largest_albedo, lobe, weights,
 };
 use umber::reference::slides;
+use umber::reference::slides::readings::{self, Reading};
 
 use crate::samples::{assert_close, pairs, view_angles};
 use crate::tolerances::{
@@ -168,4 +169,25 @@ fn the_corrected_lobe_gives_back_no_more_than_it_gets() {
     let (l, e) = (spherical(0.5, 0.0), spherical(1.0, 0.3));
     assert_eq!(conserving_lobe(N, l, e, 0.3262), lobe(N, l, e, 0.3262));
     assert!(conserving_lobe(N, l, e, 0.2) < lobe(N, l, e, 0.2));
+}
+
+#[test]
+fn three_readings_agree_where_nothing_is_undefined_and_part_where_it_is() {
+    for (l, e) in pairs() {
+        let [n, l, e] = [N, l, e].map(|v| v.as_vec3());
+        let values = Reading::ALL.map(|reading| readings::oren_nayar(reading, n, l, e, 0.5));
+        if values.iter().all(|value| value.is_finite()) {
+            assert!(values.iter().all(|value| *value == values[0]), "{l} {e}");
+        }
+    }
+    // L has the bits of N, which is longer than 1: acos is NaN.
+    let normals = (1..1000).map(|i| Vec3::new(1.7, 2.9, i as f32).normalize());
+    let n = normals
+        .into_iter()
+        .find(|n| n.dot(*n) > 1.0)
+        .expect("a quarter are");
+    let e = n.any_orthonormal_vector();
+    let [dropped, _, kept] =
+        Reading::ALL.map(|reading| readings::oren_nayar(reading, n, n, (n + e).normalize(), 0.5));
+    assert!(dropped.is_finite() && kept.is_nan(), "{dropped} {kept}");
 }

@@ -1,10 +1,13 @@
 //! Does the library that ships stay with its truth, where the slides' listings do not?
 
+use glam::Vec3;
 use umber::gpu::Error;
+use umber::interface::ProbeInput;
+use umber::reference::given::Given;
 use umber::render::library::{FUNCTIONS, Function, Tier};
 use umber::render::probe::{Chance, Probe};
 use umber::report::StabilityRow;
-use umber::studies::stability::{Amount, CASES, Study};
+use umber::studies::stability::{Amount, CASES, Study, Truth};
 
 use crate::harness::{Gpu, with_gpu};
 
@@ -122,7 +125,7 @@ fn more_inputs_than_a_dispatch_takes_are_answered_in_order() -> Outcome {
     with_gpu(|gpu| -> Outcome {
         let probe = Probe::new(&gpu.device, Function::of_name("schlick-f")?, Tier::F32)?;
         let inputs: Vec<_> = (0..(1 << 18) + 77)
-            .map(|i| umber::interface::ProbeInput {
+            .map(|i| ProbeInput {
                 normal: [0.0, 1.0, 0.0],
                 roughness: 0.5,
                 light: [0.0, 1.0, 0.0],
@@ -149,6 +152,98 @@ fn a_clock_counts_evaluations() -> Outcome {
         let inputs = CASES[0].inputs(1, 5000);
         let ns = probe.clock(&inputs, 10)?.ns()?;
         assert!(ns > 0.0 && ns < 1e5, "{ns} ns");
+        Ok(())
+    })
+}
+
+fn inputs_of(case: &str) -> Vec<ProbeInput> {
+    let case = CASES.iter().find(|other| other.name == case);
+    case.map_or_else(Vec::new, |case| case.inputs(21, 4000))
+}
+
+#[test]
+fn light_and_eye_may_change_places() -> Outcome {
+    with_gpu(|gpu| -> Outcome {
+        for name in ["oren-nayar", "cook-torrance", "corrected"] {
+            let function = Function::of_name(name)?;
+            for tier in [Tier::F32, Tier::F32Compensated] {
+                let probe = Probe::new(&gpu.device, function, tier)?;
+                let inputs = [inputs_of("generic"), inputs_of("smooth-peak")].concat();
+                let swap = |input: &ProbeInput| ProbeInput {
+                    light: input.eye,
+                    eye: input.light,
+                    ..*input
+                };
+                let swapped: Vec<_> = inputs.iter().map(swap).collect();
+                let (there, back) = (probe.at(&inputs)?, probe.at(&swapped)?);
+                let mut compared = 0;
+                for ((input, there), back) in inputs.iter().zip(there).zip(back) {
+                    let Some(bound) = Truth::of(function).bound(tier, input) else {
+                        continue;
+                    };
+                    let [n, l, e] = [input.normal, input.light, input.eye].map(Vec3::from);
+                    let at = Given::new(n, l, e);
+                    // f from f (N.L) and from f (N.E).
+                    let there = f64::from(there.value) / at.nol;
+                    let back = f64::from(back.value) / at.noe;
+                    let apart = (there - back).abs() / there.max(back);
+                    assert!(
+                        apart <= 2.0 * bound,
+                        "{name}, {tier:?}: {apart:e} at {input:?}"
+                    );
+                    compared += 1;
+                }
+                assert!(compared > 4000, "{name}: {compared}");
+            }
+        }
+        Ok(())
+    })
+}
+
+#[test]
+fn a_smooth_base_is_lamberts_and_a_smooth_mirror_dark_beside_its_peak() -> Outcome {
+    with_gpu(|gpu| -> Outcome {
+        let inputs = inputs_of("generic");
+        let at = |name: &str, roughness: f32| -> Result<Vec<f32>, Box<dyn std::error::Error>> {
+            let probe = Probe::new(&gpu.device, Function::of_name(name)?, Tier::F32)?;
+            let set = |input: &ProbeInput| ProbeInput {
+                roughness,
+                ..*input
+            };
+            let inputs: Vec<_> = inputs.iter().map(set).collect();
+            let results = probe.at(&inputs)?;
+            Ok(results.into_iter().map(|result| result.value).collect())
+        };
+        let cosine = |input: &ProbeInput| Vec3::from(input.normal).dot(input.light.into());
+        for (value, input) in at("oren-nayar", 0.0)?.iter().zip(&inputs) {
+            assert!(
+                (value - cosine(input)).abs() <= 2.0 * f32::EPSILON,
+                "{input:?}"
+            );
+        }
+        // Nearer to Lambert's with every step down.
+        let mut last = f32::INFINITY;
+        for sigma in [0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3] {
+            let values = at("oren-nayar", sigma)?;
+            let off = values
+                .iter()
+                .zip(&inputs)
+                .map(|(v, input)| (v - cosine(input)).abs());
+            let largest = off.fold(0.0, f32::max);
+            assert!(largest < last, "sigma {sigma}: {largest} after {last}");
+            last = largest;
+        }
+        // Half vectors of generic inputs are nowhere near the normal.
+        let mut last = usize::MAX;
+        for m in [1.0, 0.3, 0.1, 0.03, 0.01, 1e-3] {
+            let lit = at("cook-torrance", m)?
+                .iter()
+                .filter(|value| **value > 0.0)
+                .count();
+            assert!(lit <= last, "m {m}: {lit} after {last}");
+            last = lit;
+        }
+        assert!(last < 10, "{last} of {} still lit", inputs.len());
         Ok(())
     })
 }

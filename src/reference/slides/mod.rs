@@ -6,6 +6,7 @@
 pub mod cook_torrance;
 pub mod oren_nayar;
 pub mod phong;
+pub mod readings;
 
 /// GLSL's `max`, by its text: a NaN in `y` gives `x`, one in `x` gives NaN.
 fn max(x: f64, y: f64) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::super::effects::{Build, EffectSet, Effects, States};
 use super::super::geometry::Attributes;
+use super::super::inspection::Inspection;
 use super::super::maps::SIZE_CLASSES;
 use super::super::pipelines::{PassKey, PipelineKey};
 use super::super::uploaded::attributes;
@@ -46,6 +47,7 @@ impl ModePipelines {
             let key = PipelineKey {
                 pass: PassKey::Surface {
                     variant: Variant::default(),
+                    inspection: Inspection::Nothing,
                     attributes,
                     samples: Samples::One,
                 },

@@ -293,6 +293,24 @@ fn of(n: Vec3, l: Vec3, e: Vec3, rng: &mut Rng) -> ProbeInput {
     }
 }
 
+/// A light at this cosine to any normal, and the eye anywhere above, or for a lobe with a peak where a facet within 2.5 m of
+/// the normal mirrors it.
+pub fn lit_from(cosine: f32, m: f32, peak: bool, rng: &mut Rng) -> ProbeInput {
+    let n = direction(rng);
+    let l = tilted(n, tangent(rng, n), cosine);
+    let e = match peak {
+        true => {
+            let h = unit(n + tangent(rng, n) * (2.5 * m * rng.f32()));
+            unit(h * (2.0 * h.dot(l)) - l)
+        }
+        false => above(rng, n),
+    };
+    ProbeInput {
+        roughness: m,
+        ..of(n, l, e, rng)
+    }
+}
+
 /// A light anywhere above, and the eye where a facet at most `aside` off the normal mirrors it.
 fn near_mirror(rng: &mut Rng, aside: f32) -> ProbeInput {
     let n = direction(rng);

@@ -5,21 +5,29 @@
 //! negative, and where an accuracy is promised it is held against f64.
 
 mod cases;
+mod cost;
 mod judge;
+mod map;
+mod pixels;
 mod search;
 mod truth;
 
 use std::sync::Arc;
 
+use glam::Vec3;
+
 pub use cases::{CASES, Case};
+pub use cost::costs;
 pub use judge::Judgement;
+pub use pixels::{BadPixel, Cause, bad_pixels};
 pub use truth::Truth;
 
 use crate::gpu::{Device, Error};
-use crate::interface::ProbeInput;
+use crate::interface::{ProbeInput, ProbeResult};
+use crate::reference::slides::readings::{self, Reading};
 use crate::render::library::{Function, Tier};
 use crate::render::probe::{Chance, Probe};
-use crate::report::StabilityRow;
+use crate::report::{BitsMap, StabilityRow};
 
 /// How much is evaluated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -84,6 +92,27 @@ impl Study {
         Ok(self.row(case.name, &judgement))
     }
 
+    /// The rows of a case for a listing as a processor computes it, by each reading of `min` and `max`; none for a function
+    /// that is no listing.
+    pub fn readings(&self, case: &Case) -> Vec<StabilityRow> {
+        if !self.function.is_listing {
+            return Vec::new();
+        }
+        let inputs = case.inputs(self.amount.seed, self.amount.case);
+        let rows = Reading::ALL.into_iter().map(|reading| {
+            let mut judgement = Judgement::default();
+            for input in &inputs {
+                let value = read_by(reading, self.function, input);
+                judgement.add(&self.truth, self.tier, &(*input, counted(value)), 1);
+            }
+            StabilityRow {
+                tier: name_of(reading).to_owned(),
+                ..self.row(case.name, &judgement)
+            }
+        });
+        rows.collect()
+    }
+
     /// The row `chance`: inputs drawn by the shader, every hundredth judged.
     ///
     /// # Errors
@@ -116,6 +145,15 @@ impl Study {
         let (probe, truth, seed) = (&self.probe, &self.truth, self.amount.seed);
         let judgement = search::search(probe, truth, self.tier, seed, progress)?;
         Ok(Some(self.row("search", &judgement)))
+    }
+
+    /// Bits lost over roughness and the angle of the light.
+    ///
+    /// # Errors
+    /// There is no memory, or the driver fails.
+    pub fn map(&self) -> Result<BitsMap, Error> {
+        let what = (self.function, self.tier);
+        map::map(&self.probe, &self.truth, what, self.amount.seed)
     }
 
     fn drawn(
@@ -160,6 +198,33 @@ impl Study {
             worst_input: judgement.worst.as_ref().map(told),
             held: !self.function.is_listing,
         }
+    }
+}
+
+/// What rows call the tier of a reading.
+fn name_of(reading: Reading) -> &'static str {
+    match reading {
+        Reading::Dropped => "f32, NaN dropped",
+        Reading::Text => "f32, GLSL's text",
+        Reading::Propagated => "f32, NaN kept",
+    }
+}
+
+fn read_by(reading: Reading, function: &Function, input: &ProbeInput) -> f32 {
+    let [n, l, e] = [input.normal, input.light, input.eye].map(Vec3::from);
+    match function.name {
+        "slides-oren-nayar" => readings::oren_nayar(reading, n, l, e, input.roughness),
+        _ => readings::cook_torrance(reading, [n, l, e], input.roughness, input.f0),
+    }
+}
+
+/// A value as the probe counts it.
+fn counted(value: f32) -> ProbeResult {
+    ProbeResult {
+        value,
+        nans: value.is_nan().into(),
+        infinities: value.is_infinite().into(),
+        negatives: u32::from(value < 0.0),
     }
 }
 

@@ -9,6 +9,10 @@ use crate::render::library::{Function, Tier};
 
 /// Cosines below it are beyond what is promised.
 const LEAST_COSINE: f64 = 1.0e-6;
+/// In 16 bits a cosine of 0.01 has a step of 1e-3 of itself, and s one of 0.1.
+const LEAST_HALF_COSINE: f64 = 1.0e-2;
+/// Below it fifty times f0 has lost bits to the least half float, 6e-8.
+const LEAST_HALF_F0: f32 = 1.0e-3;
 /// So are roughnesses.
 const LEAST_ROUGHNESS: f64 = 1.0e-4;
 /// Nothing is promised where a lobe is below 1e-6 of its peak: -ln(1e-6).
@@ -55,6 +59,11 @@ impl Truth {
         }
     }
 
+    /// Whether it is a lobe with a peak.
+    pub fn has_peak(&self) -> bool {
+        self.width.is_some()
+    }
+
     /// The value at an input.
     pub fn at(&self, input: &ProbeInput) -> f64 {
         (self.value)(&seen(input), input.roughness.into(), input.f0.into())
@@ -73,6 +82,9 @@ impl Truth {
         if !vectors.iter().all(unit) || !(0.0..=1.0).contains(&roughness) {
             return None;
         }
+        if tier == Tier::F16 && input.f0 < LEAST_HALF_F0 && !self.cosines {
+            return None;
+        }
         let c = match self.cosines {
             true => at.least_cosine().min(1.0),
             false => 1.0,
@@ -81,10 +93,18 @@ impl Truth {
         let far = m.is_some_and(|m| {
             roughness < LEAST_ROUGHNESS || at.beckmann_exponent(m) > LARGEST_EXPONENT
         });
-        if c < LEAST_COSINE || far {
+        let least = match tier {
+            Tier::F16 => LEAST_HALF_COSINE,
+            Tier::F32 | Tier::F32Compensated => LEAST_COSINE,
+        };
+        if c < least || far {
             return None;
         }
         Some(match (tier, m) {
+            (Tier::F16, _) => match self.cosines {
+                true => 2.0e-3 + 1.0e-3 / c,
+                false => 5.0e-3,
+            },
             (Tier::F32, None) => 2.0e-6 + 2.0e-7 / c,
             (Tier::F32, Some(m)) => 1.0e-6 / m + 2.0e-6 / c,
             (Tier::F32Compensated, None) => 2.0e-6,

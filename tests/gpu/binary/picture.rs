@@ -277,8 +277,8 @@ fn squares_across(line: Vec3) -> String {
     text
 }
 
-#[test]
-fn a_picture_with_nan_is_written_in_each_format_and_ends_with_5() -> Tested {
+/// A folder with a scene of golden squares that light and eye see straight on.
+fn mirrors_at_their_peak() -> Result<Place, Box<dyn std::error::Error>> {
     let place = Place::empty()?;
     let line = Vec3::new(1.7, 2.9, 4.3).normalize();
     place.write("squares.obj", &squares_across(line))?;
@@ -290,6 +290,12 @@ fn a_picture_with_nan_is_written_in_each_format_and_ends_with_5() -> Tested {
         (-line).to_array()
     );
     place.write("scene.toml", &scene)?;
+    Ok(place)
+}
+
+#[test]
+fn a_picture_with_nan_is_written_in_each_format_and_ends_with_5() -> Tested {
+    let place = mirrors_at_their_peak()?;
     // Mirrors seen at their peak: the listing divides by roughness 0.
     let small = ["scene.toml", "--size", "64x64", "--samples", "1"];
     let model = ["--lighting", "slides", "--set", "material.gold.roughness=0"];
@@ -307,5 +313,43 @@ fn a_picture_with_nan_is_written_in_each_format_and_ends_with_5() -> Tested {
         written.iter().any(|value| !value.is_finite()),
         "as rendered"
     );
+    Ok(())
+}
+
+#[test]
+fn a_check_shows_bad_pixels_and_tells_what_makes_them_again() -> Tested {
+    let place = mirrors_at_their_peak()?;
+    let small = ["scene.toml", "--size", "64x64", "--check", "-o", "a.png"];
+    place.render(&small)?.ends(0, &[]);
+    let model = ["--lighting", "slides", "--set", "material.gold.roughness=0"];
+    let run = place.render(&[&small[..], &model].concat())?;
+    let run = run.ends(
+        5,
+        &["material 'gold'", "light 'lamp'", "slides-cook-torrance"],
+    );
+    // What it tells to type gives a value that is no number again.
+    let told = run
+        .stderr
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("echo '"));
+    let (numbers, rest) = told
+        .and_then(|told| told.split_once("' | umber eval "))
+        .ok_or("no line")?;
+    place.write("in.csv", numbers)?;
+    let again = place
+        .umber(&["eval", rest, "--input", "in.csv"])?
+        .ends(0, &[]);
+    let value: f32 = String::from_utf8(again.stdout)?
+        .lines()
+        .nth(1)
+        .ok_or("no value")?
+        .parse()?;
+    assert!(!value.is_finite() || value < 0.0, "{value}");
+    // Magenta or yellow: full red, which nothing else has here.
+    let picture = image::open(place.path("a.png"))?.to_rgb8();
+    assert!(picture.pixels().any(|pixel| pixel.0[0] > 200));
+    place
+        .render(&["scene.toml", "--check", "--samples", "4"])?
+        .ends(2, &["--samples"]);
     Ok(())
 }

@@ -54,7 +54,9 @@ fn eval_refuses_what_it_cannot_take() -> Tested {
         "--input",
         "in.csv",
     ];
-    eval(&same)?.ends(2, &["the same in every tier"]);
+    eval(&same)?.ends(2, &["no dot product"]);
+    let narrow = ["cook-torrance", "--tier", "f16", "--input", "in.csv"];
+    eval(&narrow)?.ends(2, &["16 bits", "0.05"]);
     eval(&["oren-nayar", "--input", "bad.csv"])?.ends(6, &["bad.csv", "line 1"]);
     eval(&["oren-nayar", "--input", "none.csv"])?.ends(6, &["none.csv"]);
     let onto_itself = ["oren-nayar", "--input", "in.csv", "--output", "in.csv"];
@@ -86,10 +88,10 @@ fn a_small_run_reports_by_its_layout() -> Tested {
     assert_eq!(report["schema"], "umber.stability/1");
     assert_eq!(
         (&report["plan"], &report["evaluations"]),
-        (&"custom".into(), &3000.into())
+        (&"custom".into(), &4000.into())
     );
     let rows = report["rows"].as_array().ok_or("rows")?;
-    assert_eq!(rows.len(), 6);
+    assert_eq!(rows.len(), 8);
     for row in rows {
         assert_eq!(row["inputs"], 500);
         let counts = ["nan", "inf", "negative", "judged"].map(|key| row[key].as_u64());

@@ -1,0 +1,141 @@
+//! Is the page of a stability report well-formed, whole and safe from what a driver calls itself?
+
+use umber::report::{
+    BitsMap, CostRow, Device, Interval95, Machine, Program, StabilityReport, StabilityRow,
+    stability_page,
+};
+
+fn row(function: &str, case: &str, nan: u64, of_bound: f64) -> StabilityRow {
+    StabilityRow {
+        function: function.to_owned(),
+        tier: "f32".to_owned(),
+        case: case.to_owned(),
+        inputs: 1234,
+        judged: 1000,
+        nan,
+        inf: 0,
+        negative: 0,
+        max_relative_error: Some(1e-6),
+        mean_relative_error: Some(1e-7),
+        max_of_bound: Some(of_bound),
+        max_ulp: Some(7.0),
+        max_bits_lost: Some(3.0),
+        worst_input: Some("0,1,0 = 00000000".to_owned()),
+        held: !function.starts_with("slides"),
+    }
+}
+
+fn report() -> StabilityReport {
+    StabilityReport {
+        schema: StabilityReport::SCHEMA,
+        device: Device {
+            name: "<script>&\"llvm'pipe".to_owned(),
+            kind: "cpu".to_owned(),
+            driver: "driver".to_owned(),
+            driver_version: "1".to_owned(),
+            api: "1.3".to_owned(),
+            uuid: "00".to_owned(),
+        },
+        machine: Machine::this(),
+        plan: "quick".to_owned(),
+        seed: 1,
+        evaluations: 4936,
+        rows: vec![
+            row("oren-nayar", "generic", 0, 0.2),
+            row("oren-nayar", "headlight", 0, 0.7),
+            row("slides-oren-nayar", "generic", 0, 3.0),
+            row("slides-oren-nayar", "headlight", 5, 1.0),
+        ],
+        costs: vec![CostRow {
+            function: "oren-nayar".to_owned(),
+            tier: "f32".to_owned(),
+            listing: "slides-oren-nayar".to_owned(),
+            ns: 1.5,
+            listing_ns: 3.0,
+            relative: 0.5,
+            relative_95: Interval95 {
+                low: Some(0.4),
+                high: None,
+            },
+        }],
+        maps: vec![BitsMap {
+            function: "oren-nayar".to_owned(),
+            tier: "f32".to_owned(),
+            roughness: vec![1e-4, 1.0],
+            degrees: vec![0.0, 89.5],
+            bits: vec![vec![Some(2.0), None], vec![None, Some(20.0)]],
+            bad: vec![vec![0, 0], vec![3, 0]],
+        }],
+        program: Program::this(),
+    }
+}
+
+#[test]
+fn each_function_is_summed_up_and_its_worst_row_found() {
+    let summaries = report().summaries();
+    assert_eq!(summaries.len(), 2);
+    assert_eq!((summaries[0].inputs, summaries[0].row), (2468, 1));
+    assert_eq!(summaries[0].max_of_bound, Some(0.7));
+    // One that is no number is worse than any error.
+    assert_eq!((summaries[1].nan, summaries[1].row), (5, 3));
+    assert_eq!(
+        report().broken().count(),
+        0,
+        "of a listing nothing is promised"
+    );
+    let mut broken = report();
+    broken.rows[0].negative = 1;
+    broken.rows[1].max_of_bound = Some(1.5);
+    assert_eq!(broken.broken().count(), 2);
+}
+
+#[test]
+fn the_page_is_well_formed_and_every_link_leads_somewhere() {
+    let page = stability_page(&report());
+    let body = page.split_once('\n').map_or("", |(_, rest)| rest);
+    let parsed = roxmltree::Document::parse(body).expect("well-formed");
+    let all = || parsed.descendants();
+    assert!(!all().any(|node| node.has_tag_name("script")));
+    let ids: Vec<_> = all().filter_map(|node| node.attribute("id")).collect();
+    let links: Vec<_> = all().filter_map(|node| node.attribute("href")).collect();
+    assert_eq!(links, ["#row-1", "#row-3"]);
+    for link in links {
+        assert!(ids.contains(&link.trim_start_matches('#')), "{link}");
+    }
+    let class = |class: &str| {
+        let map = all().find(|node| node.attribute("class") == Some("maps"));
+        map.map_or(0, |map| {
+            let cells = map.descendants();
+            cells
+                .filter(|node| node.attribute("class") == Some(class))
+                .count()
+        })
+    };
+    assert_eq!(
+        (class("heat-0"), class("heat-7"), class("heat-bad")),
+        (1, 1, 1)
+    );
+    let text: String = all().filter_map(|node| node.text()).collect();
+    for words in [
+        "5 NaN",
+        "4,936 in all",
+        "0.50 [0.40, -]",
+        "70 % of what is allowed",
+    ] {
+        assert!(text.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn the_table_has_a_line_for_every_row() {
+    let table = report().table(" (a CPU)");
+    for words in [
+        "(a CPU)",
+        "oren-nayar, f32:",
+        "headlight",
+        "1,234",
+        "of listing",
+    ] {
+        assert!(table.contains(words), "{words}: {table}");
+    }
+}
