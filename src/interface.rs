@@ -244,6 +244,25 @@ agree!(ProbeInput {
     place
 });
 
+impl ProbeInput {
+    /// At N, L and E, with a roughness and an f0.
+    pub fn new([normal, light, eye]: [[f32; 3]; 3], roughness: f32, f0: f32) -> Self {
+        Self {
+            normal,
+            roughness,
+            light,
+            f0,
+            eye,
+            place: 0,
+        }
+    }
+
+    /// N, L and E.
+    pub fn vectors(&self) -> [glam::Vec3; 3] {
+        [self.normal, self.light, self.eye].map(glam::Vec3::from)
+    }
+}
+
 /// What the probe answers.
 #[derive(Clone, Copy, Default, Pod, Zeroable, PartialEq, Debug)]
 #[repr(C)]

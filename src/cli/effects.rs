@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
 use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{
     DeviceArgument, LightingArgument, count, effect_set, samples, size, software,
 };
-use crate::cli::output::{JsonArgument, print_bytes, talk, write_json};
+use crate::cli::output::{JsonArgument, print_bytes, progress_bar, talk, write_json};
 use crate::gpu::Samples;
 use crate::reference::shade::Terms;
 use crate::render::effects::{ALL, Build, EffectSet, Effects};
@@ -53,6 +53,9 @@ pub struct Arguments {
     quiet: bool,
 }
 
+/// How far it is.
+const BAR: &str = "measuring {bar:40} {pos}/{len} frames, {eta}";
+
 /// A scene, and what of it is measured.
 struct Task {
     path: PathBuf,
@@ -86,7 +89,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         builds: Vec::new(),
         program: Program::this(),
     };
-    let bar = progress_bar(arguments, &tasks);
+    let frames = |task: &Task| studies::frames(&task.scene, &task.options);
+    let frames = tasks.iter().map(frames).sum();
+    let bar = progress_bar(arguments.quiet, frames, BAR);
     let measured = tasks
         .iter()
         .try_for_each(|task| measure(arguments, task, &renderer, &bar, &mut report));
@@ -204,19 +209,6 @@ fn with_first_draws(
         })
     });
     measured.collect()
-}
-
-fn progress_bar(arguments: &Arguments, tasks: &[Task]) -> ProgressBar {
-    if arguments.quiet {
-        return ProgressBar::hidden();
-    }
-    let frames = |task: &Task| studies::frames(&task.scene, &task.options);
-    let bar = ProgressBar::new(tasks.iter().map(frames).sum());
-    match ProgressStyle::with_template("measuring {bar:40} {pos}/{len} frames, {eta}") {
-        Ok(style) => bar.with_style(style),
-        // The default style serves as well.
-        Err(_) => bar,
-    }
 }
 
 /// The tables as a person reads them; `titled` where scenes do not go without saying.

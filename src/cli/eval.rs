@@ -172,14 +172,7 @@ fn of_binary(bytes: &[u8]) -> Result<Vec<ProbeInput>, String> {
 
 fn input(numbers: [f32; NUMBERS]) -> ProbeInput {
     let [nx, ny, nz, lx, ly, lz, ex, ey, ez, roughness, f0] = numbers;
-    ProbeInput {
-        normal: [nx, ny, nz],
-        roughness,
-        light: [lx, ly, lz],
-        f0,
-        eye: [ex, ey, ez],
-        place: 0,
-    }
+    ProbeInput::new([[nx, ny, nz], [lx, ly, lz], [ex, ey, ez]], roughness, f0)
 }
 
 /// As many digits as tell one float from its neighbours.

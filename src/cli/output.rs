@@ -6,6 +6,8 @@ use std::fmt;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use indicatif::{ProgressBar, ProgressStyle};
+
 use crate::cli::exit::{Exit, Failure};
 use crate::render::OutputFile;
 
@@ -25,6 +27,19 @@ pub fn talk(line: impl fmt::Display) {
     let _ = writeln!(std::io::stderr().lock(), "{line}");
 }
 
+/// A bar on a terminal for work of so many steps, unless the user wants quiet.
+pub fn progress_bar(quiet: bool, steps: u64, template: &str) -> ProgressBar {
+    if quiet {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(steps);
+    match ProgressStyle::with_template(template) {
+        Ok(style) => bar.with_style(style),
+        // The default style serves as well.
+        Err(_) => bar,
+    }
+}
+
 /// A place for data.
 pub enum Output {
     /// `-`
@@ -41,6 +56,26 @@ impl Output {
         }
         let file = OutputFile::create(path).map_err(|error| cannot_write(path, &error))?;
         Ok(Self::File(file, path.to_owned()))
+    }
+
+    /// A place, if one is wanted, that is none of those `taken`; it is one of them then.
+    pub fn open_apart<'a>(
+        path: Option<&'a PathBuf>,
+        taken: &mut Vec<&'a PathBuf>,
+    ) -> Result<Option<Self>, Failure> {
+        let Some(path) = path else {
+            return Ok(None);
+        };
+        let output = Self::open(path)?;
+        if taken.iter().any(|other| output.is(other)) {
+            let message = format!(
+                "{}: it is given twice, and would be overwritten",
+                path.display()
+            );
+            return Err(Failure::new(Exit::Usage, message));
+        }
+        taken.push(path);
+        Ok(Some(output))
     }
 
     /// Whether it is the same place as `other`, which a second output or an input would overwrite.

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
 use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{DeviceArgument, count, software};
-use crate::cli::output::{JsonArgument, Output, print_bytes, talk, write_json};
+use crate::cli::output::{JsonArgument, Output, print_bytes, progress_bar, talk, write_json};
 use crate::gpu::{Device, Error};
 use crate::render::library::{FUNCTIONS, Function, Tier};
 use crate::report::{Machine, Program, StabilityReport, stability_page};
@@ -52,6 +52,9 @@ pub struct Arguments {
     quiet: bool,
 }
 
+/// How far it is.
+const BAR: &str = "{bar:40} {human_pos}/{human_len} values, {eta}: {msg}";
+
 /// Functions whose bits are mapped, listing and library side by side.
 const MAPPED: [&str; 4] = [
     "oren-nayar",
@@ -60,7 +63,7 @@ const MAPPED: [&str; 4] = [
     "slides-cook-torrance",
 ];
 
-/// Ten million values of each function in each tier are 1.3e8 in all.
+/// Ten million values of each function in each tier: 1.3e8 without the listings.
 const QUICK: Amount = Amount {
     case: 1 << 14,
     chance: 9_000_000,
@@ -68,7 +71,7 @@ const QUICK: Amount = Amount {
     seed: 0,
 };
 
-/// 1.1e10 in all without the listings, and no function below 10^8.
+/// 1.3e10 without the listings, and no function below 10^8.
 const FULL: Amount = Amount {
     case: 1 << 18,
     chance: 1_000_000_000,
@@ -129,19 +132,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.list {
         return print_bytes(list().as_bytes());
     }
-    let json = arguments.json.open()?;
-    let page = arguments.report.as_deref().map(Output::open).transpose()?;
-    if let (Some(json), Some(path)) = (&json, &arguments.report)
-        && json.is(path)
-    {
-        let message = format!(
-            "{}: it is given twice, and would be overwritten",
-            path.display()
-        );
-        return Err(Failure::new(Exit::Usage, message));
-    }
+    let mut taken = Vec::new();
+    let json = Output::open_apart(arguments.json.json.as_ref(), &mut taken)?;
+    let page = Output::open_apart(arguments.report.as_ref(), &mut taken)?;
     let device = arguments.device.open()?;
-    let bar = progress_bar(arguments);
+    let bar = progress_bar(arguments.quiet, values(arguments), BAR);
     let mut report = StabilityReport {
         schema: StabilityReport::SCHEMA,
         device: device.info().into(),
@@ -235,20 +230,13 @@ fn list() -> String {
     lines.collect()
 }
 
-fn progress_bar(arguments: &Arguments) -> ProgressBar {
-    if arguments.quiet {
-        return ProgressBar::hidden();
-    }
+/// Values that will be made, but for those of the search, which ends when it ends.
+fn values(arguments: &Arguments) -> u64 {
     let amount = arguments.amount();
     let by_chance = match arguments.case.is_empty() {
         true => amount.chance + amount.worst,
         false => 0,
     };
     let each = (arguments.cases().len() * amount.case) as u64 + by_chance;
-    let bar = ProgressBar::new(arguments.asked().len() as u64 * each);
-    match ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} values, {eta}: {msg}") {
-        Ok(style) => bar.with_style(style),
-        // The default style serves as well.
-        Err(_) => bar,
-    }
+    arguments.asked().len() as u64 * each
 }

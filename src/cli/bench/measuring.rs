@@ -3,13 +3,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
 use super::arguments::Arguments;
 use super::heap;
 use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{count, software};
-use crate::cli::output::{Output, print_bytes, talk, write_json};
+use crate::cli::output::{Output, print_bytes, progress_bar, talk, write_json};
 use crate::gpu::Device;
 use crate::render::Renderer;
 use crate::render::state_changes::Mode;
@@ -18,6 +18,9 @@ use crate::studies::OwnProcessError;
 use crate::studies::state_changes::{
     Creation, Group, Options, Plan, Visits, break_evens, creation_here,
 };
+
+/// How far it is.
+const BAR: &str = "{bar:40} {pos}/{len} frames, {elapsed}: {msg}";
 
 /// The one figure that a process of its own is asked for.
 pub fn print_creation(arguments: &Arguments, mode: &'static Mode) -> Result<(), Failure> {
@@ -42,7 +45,9 @@ pub fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
     }
     let todo = plan.missing(&report.rows);
     say_what(arguments, &device, &todo);
-    let bar = progress_bar(arguments, &todo.groups, &options);
+    let cells: usize = todo.groups.iter().map(|group| group.cells.len()).sum();
+    let frames = cells as u64 * u64::from(options.rounds);
+    let bar = progress_bar(arguments.quiet, frames, BAR);
     let mut bench = Bench {
         arguments,
         device: &device,
@@ -184,18 +189,5 @@ fn new_report(
         rows: Vec::new(),
         break_even: Vec::new(),
         program: Program::this(),
-    }
-}
-
-fn progress_bar(arguments: &Arguments, groups: &[Group], options: &Options) -> ProgressBar {
-    if arguments.quiet {
-        return ProgressBar::hidden();
-    }
-    let cells: usize = groups.iter().map(|group| group.cells.len()).sum();
-    let bar = ProgressBar::new(cells as u64 * u64::from(options.rounds));
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {elapsed}: {msg}") {
-        Ok(style) => bar.with_style(style),
-        // The default style serves as well.
-        Err(_) => bar,
     }
 }

@@ -20,9 +20,9 @@ impl Places {
         let inputs = [&arguments.read, &arguments.baseline, &arguments.resume];
         let mut taken: Vec<&PathBuf> = inputs.into_iter().flatten().collect();
         Ok(Self {
-            json: open(arguments.json.json.as_ref(), &mut taken)?,
-            csv: open(arguments.csv.as_ref(), &mut taken)?,
-            page: open(arguments.report.as_ref(), &mut taken)?,
+            json: Output::open_apart(arguments.json.json.as_ref(), &mut taken)?,
+            csv: Output::open_apart(arguments.csv.as_ref(), &mut taken)?,
+            page: Output::open_apart(arguments.report.as_ref(), &mut taken)?,
         })
     }
 
@@ -46,24 +46,4 @@ impl Places {
             false => Ok(()),
         }
     }
-}
-
-/// A place that is none of those `taken`; it is one of them then.
-fn open<'a>(
-    path: Option<&'a PathBuf>,
-    taken: &mut Vec<&'a PathBuf>,
-) -> Result<Option<Output>, Failure> {
-    let Some(path) = path else {
-        return Ok(None);
-    };
-    let output = Output::open(path)?;
-    if taken.iter().any(|other| output.is(other)) {
-        let message = format!(
-            "{}: it is given twice, and would be overwritten",
-            path.display()
-        );
-        return Err(Failure::new(Exit::Usage, message));
-    }
-    taken.push(path);
-    Ok(Some(output))
 }

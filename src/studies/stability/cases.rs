@@ -283,14 +283,8 @@ pub const CASES: &[Case] = &[
 
 /// An input of these vectors, any roughness and any f0.
 fn of(n: Vec3, l: Vec3, e: Vec3, rng: &mut Rng) -> ProbeInput {
-    ProbeInput {
-        normal: n.into(),
-        roughness: logarithmic(rng, 1e-4, 1.0),
-        light: l.into(),
-        f0: rng.f32(),
-        eye: e.into(),
-        place: 0,
-    }
+    let roughness = logarithmic(rng, 1e-4, 1.0);
+    ProbeInput::new([n, l, e].map(Vec3::into), roughness, rng.f32())
 }
 
 /// A light at this cosine to any normal, and the eye anywhere above, or for a lobe with a peak where a facet within 2.5 m of
@@ -392,7 +386,7 @@ mod tests {
             assert_eq!(inputs, case.inputs(1, 1000), "{}", case.name);
             assert_ne!(inputs, case.inputs(2, 1000), "{}", case.name);
             for input in inputs {
-                for v in [input.normal, input.light, input.eye].map(Vec3::from) {
+                for v in input.vectors() {
                     assert!((v.length() - 1.0).abs() < 1e-6, "{}: {v}", case.name);
                 }
                 let numbers = [input.roughness, input.f0];

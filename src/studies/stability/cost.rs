@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::cases::CASES;
 use crate::gpu::{Device, Error};
 use crate::math::statistics::{median, paired_ratio};
-use crate::render::library::{FUNCTIONS, Function, NOTHING, Tier};
+use crate::render::library::{Function, NOTHING, Tier};
 use crate::render::probe::{Probe, ProbeClock};
 use crate::report::{CostRow, Interval95};
 
@@ -29,8 +29,8 @@ const ROUNDS: usize = 21;
 pub fn costs(device: &Arc<Device>) -> Result<Vec<CostRow>, Error> {
     let mut rows = Vec::new();
     for (name, listing) in PAIRS {
-        let found = |name: &str| FUNCTIONS.iter().find(|function| function.name == name);
-        let (Some(safe), Some(listing)) = (found(name), found(listing)) else {
+        let named = (Function::of_name(name), Function::of_name(listing));
+        let (Ok(safe), Ok(listing)) = named else {
             continue;
         };
         rows.extend(of_pair(device, safe, listing)?);

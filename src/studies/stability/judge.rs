@@ -31,14 +31,15 @@ pub struct Judgement {
 }
 
 impl Judgement {
-    /// Counts an invocation's `values` of which one is kept, and judges that one.
+    /// Counts an invocation's `values` of which one is kept, and judges that one: how much of what is allowed it takes, 0 where
+    /// nothing is promised, infinitely much where a value is none or below 0.
     pub fn add(
         &mut self,
         truth: &Truth,
         tier: Tier,
         (input, result): &(ProbeInput, ProbeResult),
         values: u32,
-    ) {
+    ) -> f64 {
         self.inputs += u64::from(values);
         self.nans += u64::from(result.nans);
         self.infinities += u64::from(result.infinities);
@@ -47,14 +48,14 @@ impl Judgement {
             if !self.worst_is_bad {
                 (self.worst, self.worst_is_bad) = (Some(*input), true);
             }
-            return;
+            return f64::INFINITY;
         }
-        if let Some(bound) = truth.bound(tier, input) {
-            self.judge(input, f64::from(result.value), truth.at(input), bound);
-        }
+        truth.bound(tier, input).map_or(0.0, |bound| {
+            self.judge(input, f64::from(result.value), truth.at(input), bound)
+        })
     }
 
-    fn judge(&mut self, input: &ProbeInput, value: f64, want: f64, bound: f64) {
+    fn judge(&mut self, input: &ProbeInput, value: f64, want: f64, bound: f64) -> f64 {
         let off = (value - want).abs();
         // Where nothing is reflected, nothing may be given.
         let error = if off == 0.0 { 0.0 } else { off / want.abs() };
@@ -69,6 +70,7 @@ impl Judgement {
                 self.worst = Some(*input);
             }
         }
+        share
     }
 
     /// The mean of the relative errors; none where nothing was judged.

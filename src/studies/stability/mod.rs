@@ -14,8 +14,6 @@ mod truth;
 
 use std::sync::Arc;
 
-use glam::Vec3;
-
 pub use cases::{CASES, Case};
 pub use cost::costs;
 pub use judge::Judgement;
@@ -211,7 +209,7 @@ fn name_of(reading: Reading) -> &'static str {
 }
 
 fn read_by(reading: Reading, function: &Function, input: &ProbeInput) -> f32 {
-    let [n, l, e] = [input.normal, input.light, input.eye].map(Vec3::from);
+    let [n, l, e] = input.vectors();
     match function.name {
         "slides-oren-nayar" => readings::oren_nayar(reading, n, l, e, input.roughness),
         _ => readings::cook_torrance(reading, [n, l, e], input.roughness, input.f0),

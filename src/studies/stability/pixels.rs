@@ -125,14 +125,7 @@ fn input([normals, eyes, lights]: [&Picture; 3], x: u32, y: u32) -> ProbeInput {
     let [nx, ny, nz, _] = normals.at(x, y);
     let [ex, ey, ez, roughness] = eyes.at(x, y);
     let [lx, ly, lz, f0] = lights.at(x, y);
-    ProbeInput {
-        normal: [nx, ny, nz],
-        roughness,
-        light: [lx, ly, lz],
-        f0,
-        eye: [ex, ey, ez],
-        place: 0,
-    }
+    ProbeInput::new([[nx, ny, nz], [lx, ly, lz], [ex, ey, ez]], roughness, f0)
 }
 
 /// A scene that is looked into.

@@ -5,7 +5,7 @@ use fastrand::Rng;
 use super::judge::Judgement;
 use super::truth::Truth;
 use crate::gpu::Error;
-use crate::interface::{ProbeInput, ProbeResult};
+use crate::interface::ProbeInput;
 use crate::render::library::Tier;
 use crate::render::probe::{Chance, Probe};
 
@@ -20,8 +20,8 @@ const MOST_ROUNDS: u32 = 200;
 /// A step changes up to this many bits from the last on.
 const BITS: u32 = 22;
 
-/// One input, what was given there, and how much of its bound that takes.
-type Found = (ProbeInput, ProbeResult, f64);
+/// One input, and how much of its bound the value there takes.
+type Found = (ProbeInput, f64);
 
 /// Climbs until the largest share of a bound stops growing; judges every value on the way.
 ///
@@ -41,8 +41,8 @@ pub fn search(
     let mut front = best(evaluated(probe, truth, tier, inputs, &mut judgement)?);
     let mut waited = 0;
     for _ in 0..MOST_ROUNDS {
-        let before = front.first().map_or(0.0, |found| found.2);
-        let steps = front.iter().flat_map(|(input, ..)| {
+        let before = front.first().map_or(0.0, |found| found.1);
+        let steps = front.iter().flat_map(|(input, _)| {
             let input = *input;
             (0..TRIES).map(move |_| input)
         });
@@ -50,7 +50,7 @@ pub fn search(
         progress(steps.len() as u64);
         let found = evaluated(probe, truth, tier, steps, &mut judgement)?;
         front = best(front.into_iter().chain(found).collect());
-        let after = front.first().map_or(0.0, |found| found.2);
+        let after = front.first().map_or(0.0, |found| found.1);
         waited = if after > before { 0 } else { waited + 1 };
         if waited == PATIENCE {
             break;
@@ -68,16 +68,15 @@ fn evaluated(
 ) -> Result<Vec<Found>, Error> {
     let results = probe.at(&inputs)?;
     let found = inputs.into_iter().zip(results).map(|pair| {
-        judgement.add(truth, tier, &pair, 1);
-        let (input, result) = pair;
-        (input, result, truth.share(tier, &input, result.value))
+        let share = judgement.add(truth, tier, &pair, 1);
+        (pair.0, share)
     });
     Ok(found.collect())
 }
 
 /// Those with the largest shares, the largest first.
 fn best(mut found: Vec<Found>) -> Vec<Found> {
-    found.sort_by(|a, b| b.2.total_cmp(&a.2));
+    found.sort_by(|a, b| b.1.total_cmp(&a.1));
     found.truncate(CLIMBERS);
     found
 }

@@ -72,7 +72,7 @@ impl Truth {
     /// How far from it a value may be, relative; `None` where nothing is promised.
     pub fn bound(&self, tier: Tier, input: &ProbeInput) -> Option<f64> {
         let at = seen(input);
-        let vectors = [input.normal, input.light, input.eye].map(Vec3::from);
+        let vectors = input.vectors();
         let unit = |v: &Vec3| (v.as_dvec3().length_squared() - 1.0).abs() <= UNIT;
         let roughness = f64::from(input.roughness);
         // A device may take such an f0 for 0, and if not, its product has few bits left.
@@ -111,16 +111,6 @@ impl Truth {
             (Tier::F32Compensated, Some(_)) => 1.0e-5,
         })
     }
-
-    /// How much of what is allowed at an input a value takes: up to 1 it holds. 0 where nothing is promised.
-    pub fn share(&self, tier: Tier, input: &ProbeInput, value: f32) -> f64 {
-        let Some(bound) = self.bound(tier, input) else {
-            return 0.0;
-        };
-        let want = self.at(input);
-        let share = (f64::from(value) - want).abs() / want.abs() / bound;
-        if share.is_nan() { f64::INFINITY } else { share }
-    }
 }
 
 fn at_least(m: f64) -> f64 {
@@ -128,6 +118,6 @@ fn at_least(m: f64) -> f64 {
 }
 
 fn seen(input: &ProbeInput) -> Given {
-    let [n, l, e] = [input.normal, input.light, input.eye].map(Vec3::from);
+    let [n, l, e] = input.vectors();
     Given::new(n, l, e)
 }
