@@ -1,6 +1,7 @@
 //! How does `umber bench` go from a plan to rows, and from rows to what people read?
 
 mod arguments;
+mod group_process;
 mod heap;
 mod measuring;
 mod places;
@@ -20,6 +21,9 @@ use crate::report::{BenchReport, Comparison, compare, read_bench};
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(mode) = arguments.creation_of {
         return print_creation(arguments, mode);
+    }
+    if let Some(place) = arguments.group {
+        return group_process::answer(arguments, place);
     }
     if arguments.read.is_none() {
         heap::keep();

@@ -11,7 +11,7 @@ use crate::studies::OwnProcessError;
 use crate::studies::state_changes::BenchError;
 
 /// The exit codes. 0 is success.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Serialize, serde::Deserialize)]
 pub enum Exit {
     /// A comparison failed, or a threshold was passed.
     Compared = 1,
@@ -28,7 +28,7 @@ pub enum Exit {
 }
 
 /// Why the program ends without success.
-#[derive(Debug)]
+#[derive(Debug, serde::Serialize, serde::Deserialize)]
 pub struct Failure {
     /// The exit code.
     pub exit: Exit,

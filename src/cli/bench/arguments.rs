@@ -78,6 +78,9 @@ pub struct Arguments {
     /// One figure, for a process of its own
     #[arg(long, hide = true, value_name = "MODE", value_parser = mode)]
     pub creation_of: Option<&'static Mode>,
+    /// One group of the plan, for a process of its own
+    #[arg(long, hide = true, value_name = "PLACE")]
+    pub group: Option<usize>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -1,23 +1,20 @@
 //! How are cells measured one group after the other, so that a run that is killed keeps what it has?
 
 use std::path::Path;
-use std::sync::Arc;
 
 use indicatif::ProgressBar;
 
 use super::arguments::Arguments;
-use super::heap;
-use crate::cli::exit::{Exit, Failure, judge_messages};
+use super::{group_process, heap};
+use crate::cli::exit::{Exit, Failure};
 use crate::cli::options::{count, software};
 use crate::cli::output::{Output, print_bytes, progress_bar, talk, write_json};
-use crate::gpu::Device;
+use crate::gpu::{DeviceInfo, DeviceKind};
 use crate::render::Renderer;
 use crate::render::state_changes::Mode;
-use crate::report::{BenchReport, BenchRow, Machine, Method, Program};
+use crate::report::{BenchReport, Machine, Method, Program};
 use crate::studies::OwnProcessError;
-use crate::studies::state_changes::{
-    Creation, Group, Options, Plan, Visits, break_evens, creation_here,
-};
+use crate::studies::state_changes::{Creation, Group, Options, Plan, break_evens, creation_here};
 
 /// How far it is.
 const BAR: &str = "{bar:40} {pos}/{len} frames, {elapsed}: {msg}";
@@ -36,27 +33,26 @@ pub fn print_creation(arguments: &Arguments, mode: &'static Mode) -> Result<(), 
 
 /// What the plan asks for and an earlier run does not have yet.
 pub fn measured(arguments: &Arguments) -> Result<BenchReport, Failure> {
-    let device = arguments.device.open()?;
-    let plan = arguments.plan(device.info().kind);
+    let info = arguments.device.open()?.info().clone();
+    let plan = arguments.plan(info.kind);
     let options = arguments.options(&plan);
-    let mut report = new_report(arguments, &device, &plan, &options);
+    let mut report = new_report(arguments, &info, &plan, &options);
     if let Some(path) = &arguments.resume {
         report.rows = resumed(path, &report)?.rows;
     }
     let todo = plan.missing(&report.rows);
-    say_what(arguments, &device, &todo);
-    let cells: usize = todo.groups.iter().map(|group| group.cells.len()).sum();
+    let cells: usize = todo.iter().map(|(_, group)| group.cells.len()).sum();
+    say_what(arguments, &info, cells);
     let frames = cells as u64 * u64::from(options.rounds);
     let bar = progress_bar(arguments.quiet, frames, BAR);
     let mut bench = Bench {
         arguments,
-        device: &device,
-        options: &options,
+        kind: info.kind,
         creation: creation(arguments)?,
         bar: &bar,
     };
-    let mut groups = todo.groups.iter();
-    let done = groups.try_for_each(|group| bench.group(group, &mut report));
+    let mut groups = todo.iter();
+    let done = groups.try_for_each(|(place, group)| bench.group(*place, group, &mut report));
     bar.finish_and_clear();
     done?;
     report.break_even = break_evens(&report.rows);
@@ -84,12 +80,10 @@ fn resumed(path: &Path, new: &BenchReport) -> Result<BenchReport, Failure> {
     }
 }
 
-fn say_what(arguments: &Arguments, device: &Device, todo: &Plan) {
+fn say_what(arguments: &Arguments, info: &DeviceInfo, cells: usize) {
     if arguments.quiet {
         return;
     }
-    let info = device.info();
-    let cells: usize = todo.groups.iter().map(|group| group.cells.len()).sum();
     let kept = match arguments.kept() {
         Some(path) => format!(", kept in {} as they come in", path.display()),
         None => String::new(),
@@ -104,26 +98,31 @@ fn say_what(arguments: &Arguments, device: &Device, todo: &Plan) {
 
 struct Bench<'a> {
     arguments: &'a Arguments,
-    device: &'a Device,
-    options: &'a Options,
+    kind: DeviceKind,
     creation: Option<Creation>,
     bar: &'a ProgressBar,
 }
 
 impl Bench<'_> {
     /// Measures a group, and keeps its rows.
-    fn group(&mut self, group: &Group, report: &mut BenchReport) -> Result<(), Failure> {
+    fn group(
+        &mut self,
+        place: usize,
+        group: &Group,
+        report: &mut BenchReport,
+    ) -> Result<(), Failure> {
         self.bar.set_message(format!(
             "{}, {}, {}",
             group.scene.name(),
             count(group.materials.into(), "material"),
             count(group.draws.into(), "draw"),
         ));
-        let mut rows = self.rows(group)?;
+        let mut rows = group_process::rows(place, &|frames| self.bar.inc(frames))?;
+        rows.retain(|row| group.cells.iter().any(|cell| group.has(cell, row)));
         if let Some(creation) = &mut self.creation
             && self.arguments.measures_creation_of(group.scene)
         {
-            creation.add(self.device.info().kind, group, &mut rows)?;
+            creation.add(self.kind, group, &mut rows)?;
         }
         report.rows.extend(rows);
         report.break_even = break_evens(&report.rows);
@@ -131,22 +130,6 @@ impl Bench<'_> {
             Some(path) => write_json(Output::open(&path)?, report),
             None => Ok(()),
         }
-    }
-
-    /// On devices of its own: what a driver keeps of the shaders of groups before must not crowd out this one's.
-    fn rows(&self, group: &Group) -> Result<Vec<BenchRow>, Failure> {
-        let mut visits = Visits::new(self.device, group, self.options)?;
-        while visits.left() > 0 {
-            let device = self.arguments.device.open()?;
-            let renderer = Renderer::new(&device, None)?;
-            let visited = visits.visit(&renderer, &|frames| self.bar.inc(frames));
-            // Also, and above all, where a frame failed.
-            let messages = device.instance().validation_log().drain();
-            messages.iter().for_each(talk);
-            visited?;
-            judge_messages(messages.len())?;
-        }
-        Ok(visits.rows())
     }
 }
 
@@ -168,13 +151,13 @@ const RUNS: usize = 3;
 
 fn new_report(
     arguments: &Arguments,
-    device: &Arc<Device>,
+    info: &DeviceInfo,
     plan: &Plan,
     options: &Options,
 ) -> BenchReport {
     BenchReport {
         schema: BenchReport::SCHEMA.to_owned(),
-        device: device.info().into(),
+        device: info.into(),
         machine: Machine::this(),
         method: Method {
             name: arguments.method_name().to_owned(),

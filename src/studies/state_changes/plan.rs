@@ -265,20 +265,19 @@ impl Plan {
         SIDES.into_iter().map(move |side| patches(side, materials))
     }
 
-    /// The cells that it has and `rows` has not, each with its base.
-    pub fn missing(&self, rows: &[BenchRow]) -> Self {
-        let groups = self.groups.iter().filter_map(|group| {
+    /// The cells that it has and `rows` has not: each group that lacks some, after its place in the plan.
+    pub fn missing(&self, rows: &[BenchRow]) -> Vec<(usize, Group)> {
+        let groups = self.groups.iter().enumerate();
+        let missing = groups.filter_map(|(place, group)| {
             let done = |cell: &Cell| rows.iter().any(|row| group.has(cell, row));
             let cells: Vec<_> = group.cells.iter().filter(|c| !done(c)).copied().collect();
-            (!cells.is_empty()).then(|| Group {
+            let group = Group {
                 cells,
                 ..group.clone()
-            })
+            };
+            (!group.cells.is_empty()).then_some((place, group))
         });
-        Self {
-            groups: groups.collect(),
-            ..self.clone()
-        }
+        missing.collect()
     }
 }
 
@@ -350,12 +349,13 @@ mod tests {
             super::super::rows::row(group, cell, (5, 5), None, Vec::new(), timing)
         };
         let rows: Vec<_> = group.cells.iter().skip(2).map(options).collect();
+        let whole: Vec<_> = plan.groups.iter().cloned().enumerate().collect();
         let missing = plan.missing(&rows);
-        assert_eq!(missing.groups.len(), plan.groups.len());
-        assert_eq!(missing.groups[0].cells, group.cells[..2]);
-        assert_eq!(missing.groups[1..], plan.groups[1..]);
+        assert_eq!((missing.len(), missing[0].0), (plan.groups.len(), 0));
+        assert_eq!(missing[0].1.cells, group.cells[..2]);
+        assert_eq!(missing[1..], whole[1..]);
         let all: Vec<_> = group.cells.iter().map(options).collect();
-        assert_eq!(plan.missing(&all).groups, plan.groups[1..]);
+        assert_eq!(plan.missing(&all), whole[1..]);
     }
 
     #[test]
