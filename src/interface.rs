@@ -115,6 +115,22 @@ pub struct Material {
     pub material_padding_1: u32,
     /// Unused.
     pub material_padding_2: u32,
+    /// What the pipeline's Fresnel term needs beside f0, as the next three are.
+    pub fresnel_1: [f32; 3],
+    /// Unused.
+    pub material_padding_3: f32,
+    /// As `fresnel_1`.
+    pub fresnel_2: [f32; 3],
+    /// Unused.
+    pub material_padding_4: f32,
+    /// As `fresnel_1`.
+    pub fresnel_3: [f32; 3],
+    /// Unused.
+    pub material_padding_5: f32,
+    /// As `fresnel_1`.
+    pub fresnel_4: [f32; 3],
+    /// Unused.
+    pub material_padding_6: f32,
 }
 agree!(Material {
     albedo,
@@ -137,7 +153,15 @@ agree!(Material {
     alpha_mask,
     material_padding_0,
     material_padding_1,
-    material_padding_2
+    material_padding_2,
+    fresnel_1,
+    material_padding_3,
+    fresnel_2,
+    material_padding_4,
+    fresnel_3,
+    material_padding_5,
+    fresnel_4,
+    material_padding_6
 });
 
 /// One light; see `shaders-glsl/interface/lights.glsl`.
@@ -234,6 +258,8 @@ pub struct ProbeInput {
     pub eye: [f32; 3],
     /// Which of its invocation's inputs it is.
     pub place: u32,
+    /// What the function takes beside.
+    pub extra: [f32; 4],
 }
 agree!(ProbeInput {
     normal,
@@ -241,7 +267,8 @@ agree!(ProbeInput {
     light,
     f0,
     eye,
-    place
+    place,
+    extra
 });
 
 impl ProbeInput {
@@ -254,6 +281,7 @@ impl ProbeInput {
             f0,
             eye,
             place: 0,
+            extra: [0.0; 4],
         }
     }
 

@@ -22,7 +22,8 @@ float beckmann_m2(float m, float r2) {
 // sec2^2 / m2 <= 2^108: all finite. Vulkan bounds exp by 3 + 2 |x| units in the last place, which says nothing for
 // a large x; beyond 87 it is below the least normal number (e^-87.3 = 2^-126), and taken as 0.
 // Where it is at least 1e-6 of its peak and m at least 1e-4, it errs by at most 1e-5 of itself, and by what tan2 and sec2
-// bring: 1e-6 / m + 2e-6 / min(N.L, N.E) where they are made in 32 bits.
+// bring: 1e-6 / m + 3e-6 / min(N.L, N.E) where they are made in 32 bits: near the surface N.h is known to 2e-7 of 1, and
+// the exponent has its square below it.
 float D_Beckmann(float tan2, float sec2, float m2) {
     float x = tan2 / m2;
     return x < 87.0 ? exp(-x) * sec2 * sec2 * INV_PI / m2 : 0.0;

@@ -1,16 +1,8 @@
 // How are facets that are small mirrors evaluated near a sharp peak, and near the surface? With the lost digits.
 
 #include "brdf/cook_torrance.glsl"
+#include "compensated/half_vector.glsl"
 #include "math/double_float.glsl"
-
-// `half_vector` with its sine and its cosine rounded once. L + E and L - E themselves need no more than 32 bits: each
-// component errs by 2^-24 of itself, and their squares are added without cancellation.
-HalfVector half_vector_compensated(vec3 N, vec3 L, vec3 E, float NoL, float NoE) {
-    HalfVector h = half_vector(N, L, E, NoL, NoE);
-    vec3 sine = cross_of_sum(N, L, E);
-    h.sine2 = dot(sine, sine);
-    return h;
-}
 
 vec3 cook_torrance_compensated(vec3 N, vec3 L, vec3 E, float m2, vec3 f0, float f90) {
     float NoL = dot_double(N, L).x;

@@ -1,8 +1,10 @@
 // What does the matte base scatter? An effect: a pure metal has no base.
 
+#include "brdf/lambert.glsl"
 #include "effects/called_for.glsl"
 #include "effects/rough_diffuse.glsl"
 #include "light/hemisphere.glsl"
+#include "interface/variants.glsl"
 #include "light/incident.glsl"
 #include "math/constants.glsl"
 #include "shading/surface.glsl"
@@ -16,9 +18,12 @@ void diffuse_lobe(inout Lobes lobes, Surface surface, Incident incident) {
         return;
     }
     float NoL = dot(surface.N, incident.L);
-    float lobe = NoL < COS_MIN ? 0.0 : NoL;
-    rough_diffuse(lobe, surface, NoL, dot(incident.L, surface.E));
-    lobes.diffuse = surface.albedo * surface.through * (lobe * INV_PI);
+    Base base = Base(lambert(NoL), vec3(0.0));
+    rough_diffuse(base, surface, NoL, incident.L);
+    lobes.diffuse = surface.albedo * surface.through * (base.lobe * INV_PI);
+    if (DIFFUSE == DIFFUSE_EON || DIFFUSE == DIFFUSE_FULL_OREN_NAYAR) {
+        lobes.diffuse += base.rest * surface.through * INV_PI;
+    }
 }
 
 void diffuse_ambient(inout Lobes lobes, Surface surface, vec3 sky, vec3 ground) {

@@ -1,10 +1,13 @@
 // What does the interface reflect, and what does it take from the base? An effect: without f0 there is no interface.
 
-#include "brdf/cook_torrance.glsl"
 #include "effects/called_for.glsl"
 #include "light/hemisphere.glsl"
 #include "light/incident.glsl"
+#include "shading/between_facets.glsl"
+#include "shading/facets.glsl"
+#include "shading/fresnel.glsl"
 #include "shading/surface.glsl"
+#include "slides/cook_torrance.glsl"
 
 layout(constant_id = 9) const int EFFECT_SPECULAR_LOBE = -1;
 const uint BIT_SPECULAR_LOBE = 2u;
@@ -15,7 +18,15 @@ void specular_interface(inout Surface surface) {
         return;
     }
     surface.f90 = f90_of(surface.f0);
-    surface.through = T_Schlick(surface.f0, surface.f90, clamp(surface.NoE, 0.0, 1.0));
+    surface.through = T_interface(surface, clamp(surface.NoE, 0.0, 1.0));
+    look_up_missing(surface);
+}
+
+// The listing, its own Fresnel term included. Its factor before the light is illuminance / pi.
+vec3 slides_specular(Surface surface, vec3 L) {
+    float FresnelScale = max(max(surface.f0.r, surface.f0.g), surface.f0.b);
+    float lobe = SlidesCookTorrance(surface.N, L, surface.E, surface.roughness, FresnelScale);
+    return scale_colour(surface.f0) * (lobe * INV_PI);
 }
 
 // The base gets what the interface let in, (1 - F(NoL)), and gives what it lets out, (1 - F(NoE)): reciprocal
@@ -25,10 +36,21 @@ void specular_lobe(inout Lobes lobes, Surface surface, Incident incident) {
         return;
     }
     float NoL = dot(surface.N, incident.L);
-    lobes.diffuse *= T_Schlick(surface.f0, surface.f90, clamp(NoL, 0.0, 1.0));
+    lobes.diffuse *= T_interface(surface, clamp(NoL, 0.0, 1.0));
+    if (SPECULAR == SPECULAR_SLIDES) {
+        lobes.specular = slides_specular(surface, incident.L);
+        return;
+    }
+    if (NoL < COS_MIN || surface.NoE < COS_MIN) {
+        return;
+    }
+    HalfVector h = half_vector(surface.N, incident.L, surface.E, NoL, surface.NoE);
     float m2 = beckmann_m2(surface.roughness, incident.r2);
-    lobes.specular =
-        cook_torrance(surface.N, incident.L, surface.E, NoL, surface.NoE, m2, surface.f0, surface.f90);
+    vec3 F = F_interface(surface, half_cosine(h), half_rest(h));
+    lobes.specular = F * facets(h, NoL, surface.NoE, m2);
+    if (SPECULAR == SPECULAR_GGX_MULTI) {
+        lobes.specular += between_facets(surface, NoL);
+    }
 }
 
 void specular_ambient(inout Lobes lobes, Surface surface, vec3 sky, vec3 ground) {

@@ -22,6 +22,14 @@ struct Material {
     uint material_padding_0;
     uint material_padding_1;
     uint material_padding_2;
+    vec3 fresnel_1;     // what the pipeline's Fresnel term needs beside f0. f82: the tint at 82 degrees; dielectric: the mean of F;
+    float material_padding_3; // conductor: n, k and the mean of F; spectral: the four coefficients
+    vec3 fresnel_2;
+    float material_padding_4;
+    vec3 fresnel_3;
+    float material_padding_5;
+    vec3 fresnel_4;
+    float material_padding_6;
 };
 
 layout(set = 0, binding = 2, std430) readonly buffer MaterialBlock {

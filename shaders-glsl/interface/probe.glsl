@@ -7,6 +7,7 @@ struct ProbeInput {
     float f0;
     vec3 eye; // E
     uint place; // of the input among those of its invocation
+    vec4 extra; // what the function takes beside
 };
 
 struct ProbeResult {
@@ -29,4 +30,6 @@ layout(push_constant) uniform ProbePushBlock {
     uint probe_first;   // number of the first invocation, so that chunks continue each other
     uint probe_count;   // invocations
     uint probe_repeats; // inputs of each, at least 1; 1 where the host gives them
+    vec4 probe_low;     // range of `extra`
+    vec4 probe_high;
 };

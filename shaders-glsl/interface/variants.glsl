@@ -4,6 +4,9 @@ layout(constant_id = 0) const int LIGHTING = 2;      // one of the LIGHTING_ val
 layout(constant_id = 1) const int TERM_AMBIENT = 1;  // 0 or 1
 layout(constant_id = 2) const int TERM_DIFFUSE = 1;  // 0 or 1
 layout(constant_id = 3) const int TERM_SPECULAR = 1; // 0 or 1
+layout(constant_id = 27) const int DIFFUSE = 2;      // one of the DIFFUSE_ values
+layout(constant_id = 28) const int SPECULAR = 2;     // one of the SPECULAR_ values
+layout(constant_id = 29) const int FRESNEL = 1;      // one of the FRESNEL_ values
 layout(constant_id = 4) const int INSPECTED = 0;     // one of the INSPECT_ values
 layout(constant_id = 5) const int INSPECTED_LIGHT = 0; // number of the lamp
 
@@ -15,4 +18,26 @@ const int INSPECT_LIGHT = 3;  // L of a lamp, and the largest channel of f0; -1 
 
 const int LIGHTING_PHONG = 0;
 const int LIGHTING_SLIDES = 1;
-const int LIGHTING_CORRECTED = 2;
+const int LIGHTING_MIXED = 2; // a tier of each of the three ladders below
+
+const int DIFFUSE_SLIDES = 0;
+const int DIFFUSE_LAMBERT = 1;
+const int DIFFUSE_QON = 2;
+const int DIFFUSE_FON = 3;
+const int DIFFUSE_FULL_OREN_NAYAR = 4;
+const int DIFFUSE_EON = 5;
+
+const int SPECULAR_SLIDES = 0;
+const int SPECULAR_BLINN_PHONG = 1;
+const int SPECULAR_COOK_TORRANCE = 2;
+const int SPECULAR_BECKMANN_SMITH = 3;
+const int SPECULAR_BECKMANN_SMITH_EXACT = 4;
+const int SPECULAR_GGX = 5;
+const int SPECULAR_GGX_MULTI = 6;
+
+const int FRESNEL_SCALE = 0;
+const int FRESNEL_SCHLICK = 1;
+const int FRESNEL_F82 = 2;
+const int FRESNEL_DIELECTRIC = 3;
+const int FRESNEL_CONDUCTOR = 4;
+const int FRESNEL_SPECTRAL = 5;

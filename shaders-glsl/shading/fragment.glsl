@@ -9,12 +9,11 @@
 #include "interface/lights.glsl"
 #include "math/direction.glsl"
 #include "maps/derivatives.glsl"
+#include "shading/models.glsl"
 #include "shading/surface.glsl"
 #include "light/incident.glsl"
 #include "light/hemisphere.glsl"
 #include "slides/phong.glsl"
-#include "slides/oren_nayar.glsl"
-#include "slides/cook_torrance.glsl"
 #include "effects/alpha_mask.glsl"
 #include "effects/base_color_map.glsl"
 #include "effects/colored_f0.glsl"
@@ -61,6 +60,12 @@ Surface plain_surface(Material material, vec3 position, vec3 normal) {
     surface.NoE = 0.0;
     surface.f90 = 0.0;
     surface.through = vec3(1.0);
+    surface.fresnel_1 = material.fresnel_1;
+    surface.fresnel_2 = material.fresnel_2;
+    surface.fresnel_3 = material.fresnel_3;
+    surface.fresnel_4 = material.fresnel_4;
+    surface.missing_eye = 0.0;
+    surface.missing = 0.0;
     surface.weights = OrenNayarWeights(1.0, 0.0);
     return surface;
 }
@@ -79,31 +84,8 @@ Lobes phong_light(Surface surface, float shininess, Incident incident) {
     );
 }
 
-// The deck scales one Fresnel number; a material has three. The largest channel of f0 is FresnelScale, and f0
-// divided by it the colour of the reflection, so that at normal incidence their product is f0.
-// The deck leaves the light's factor open: illuminance / pi stands before both listings, and no further cosine.
-Lobes slides_light(Surface surface, Incident incident) {
-    vec3 radiance = incident.illuminance * INV_PI;
-    float FresnelScale = max(max(surface.f0.r, surface.f0.g), surface.f0.b);
-    vec3 specular = FresnelScale >= LENGTH_MIN ? surface.f0 / FresnelScale : vec3(1.0);
-    float Roughness = surface.roughness;
-    return Lobes(
-        radiance * surface.albedo * SlidesOrenNayar(surface.N, incident.L, surface.E, Roughness),
-        radiance * specular * SlidesCookTorrance(surface.N, incident.L, surface.E, Roughness, FresnelScale)
-    );
-}
-
-Lobes corrected_light(Surface surface, Incident incident) {
-    Lobes lobes = Lobes(vec3(0.0), vec3(0.0));
-    diffuse_lobe(lobes, surface, incident);
-    specular_lobe(lobes, surface, incident);
-    lobes.diffuse *= incident.illuminance;
-    lobes.specular *= incident.illuminance;
-    return lobes;
-}
-
 Lobes ambient(Surface surface) {
-    if (LIGHTING != LIGHTING_CORRECTED) {
+    if (LIGHTING != LIGHTING_MIXED) {
         return classic_ambient(surface);
     }
     Lobes lobes = Lobes(vec3(0.0), vec3(0.0));
@@ -128,7 +110,7 @@ Lobes lamp(uint i, Surface surface, float shininess) {
     if (LIGHTING == LIGHTING_SLIDES) {
         return slides_light(surface, incident);
     }
-    return corrected_light(surface, incident);
+    return mixed_light(surface, incident);
 }
 
 // What light is made from.

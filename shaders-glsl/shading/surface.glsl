@@ -19,6 +19,12 @@ struct Surface {
     float NoE;
     float f90;       // reflectance of the interface at grazing; 0 without an interface
     vec3 through;    // what the interface lets out towards the eye, 0..1
+    vec3 fresnel_1;  // as the material's
+    vec3 fresnel_2;
+    vec3 fresnel_3;
+    vec3 fresnel_4;
+    float missing_eye; // what single scattering between facets loses of the light towards the eye, 0..1
+    float missing;     // and on average
     OrenNayarWeights weights;
 };
 
@@ -26,4 +32,10 @@ struct Surface {
 struct Lobes {
     vec3 diffuse;
     vec3 specular;
+};
+
+// What a base scatters of one lamp's light, before its interface: pi f NoL = albedo lobe + rest.
+struct Base {
+    float lobe;
+    vec3 rest; // of models in which the albedo does more than scale
 };

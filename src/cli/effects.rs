@@ -5,9 +5,8 @@ use std::path::{Path, PathBuf};
 use indicatif::ProgressBar;
 
 use crate::cli::exit::{Exit, Failure, judge_messages};
-use crate::cli::options::{
-    DeviceArgument, LightingArgument, count, effect_set, samples, size, software,
-};
+use crate::cli::lighting::LightingArguments;
+use crate::cli::options::{DeviceArgument, count, effect_set, samples, size, software};
 use crate::cli::output::{JsonArgument, print_bytes, progress_bar, talk, write_json};
 use crate::gpu::Samples;
 use crate::reference::shade::Terms;
@@ -40,9 +39,8 @@ pub struct Arguments {
     rounds: u16,
     #[command(flatten)]
     device: DeviceArgument,
-    /// The lighting model
-    #[arg(long, default_value = "corrected")]
-    lighting: LightingArgument,
+    #[command(flatten)]
+    lighting: LightingArguments,
     /// Change a number of the scene: material.gold.roughness=0.3 (repeatable)
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
@@ -164,7 +162,7 @@ fn task(arguments: &Arguments, path: &Path, measured: EffectSet) -> Result<Task,
         height,
         samples: arguments.samples,
         variant: Variant {
-            lighting: arguments.lighting.model(),
+            lighting: arguments.lighting.model()?,
             terms: Terms::ALL,
         },
         effects: Effects::default(),
@@ -188,7 +186,7 @@ fn with_first_draws(
 ) -> Result<Vec<BuildRow>, Failure> {
     let program =
         std::env::current_exe().map_err(|error| Failure::from(OwnProcessError::from(error)))?;
-    let mut options = vec!["--lighting".to_owned(), arguments.lighting.name()];
+    let mut options = arguments.lighting.repeated();
     for set in &arguments.set {
         options.extend(["--set".to_owned(), set.clone()]);
     }

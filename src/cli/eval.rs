@@ -22,7 +22,8 @@ pub struct Arguments {
     /// Tell the functions, what they take and give, and in which tiers
     #[arg(long, conflicts_with = "function")]
     list: bool,
-    /// Read inputs from here: eleven numbers each, N, L, E (three numbers a vector), roughness, f0
+    /// Read inputs from here: eleven numbers each, N, L, E (three numbers a vector), roughness, f0, and what --list tells
+    /// of the function besides
     #[arg(long, value_name = "FILE", default_value = "-")]
     input: PathBuf,
     /// Inputs and values are 32-bit floats, little-endian, without anything between them, in place of CSV
@@ -34,24 +35,6 @@ pub struct Arguments {
     #[command(flatten)]
     device: DeviceArgument,
 }
-
-/// Numbers of an input.
-const NUMBERS: usize = 11;
-
-/// The head of a CSV that names its columns.
-const COLUMNS: [&str; NUMBERS] = [
-    "nx",
-    "ny",
-    "nz",
-    "lx",
-    "ly",
-    "lz",
-    "ex",
-    "ey",
-    "ez",
-    "roughness",
-    "f0",
-];
 
 /// The most that is read: 22 million inputs as bytes.
 const MOST_BYTES: u64 = 1 << 30;
@@ -72,8 +55,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let bytes = read(&arguments.input)?;
     let inputs = match arguments.binary {
-        true => of_binary(&bytes),
-        false => of_csv(&bytes),
+        true => of_binary(function, &bytes),
+        false => of_csv(function, &bytes),
     };
     let inputs = inputs.map_err(|why| {
         let place = place(&arguments.input);
@@ -120,59 +103,53 @@ fn read(path: &Path) -> Result<Vec<u8>, Failure> {
 }
 
 /// Anything that is a float is an input, NaN too: what a function makes of it is what is asked.
-fn of_csv(bytes: &[u8]) -> Result<Vec<ProbeInput>, String> {
+fn of_csv(function: &Function, bytes: &[u8]) -> Result<Vec<ProbeInput>, String> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .flexible(true)
         .from_reader(bytes);
+    let columns = function.columns();
     let mut inputs = Vec::new();
     for (number, record) in (1..).zip(reader.records()) {
         let record = record.map_err(|error| error.to_string())?;
         let line = record.position().map_or(number, csv::Position::line);
-        if inputs.is_empty() && record.iter().eq(COLUMNS) {
+        if inputs.is_empty() && record.iter().eq(columns.iter().copied()) {
             continue;
         }
-        if record.len() != NUMBERS {
-            let columns = COLUMNS.join(",");
-            let got = record.len();
+        if record.len() != columns.len() {
             return Err(format!(
-                "line {line}: {NUMBERS} numbers are an input ({columns}), and here are {got}"
+                "line {line}: {} numbers are an input ({}), and here are {}",
+                columns.len(),
+                columns.join(","),
+                record.len()
             ));
         }
-        let mut numbers = [0.0; NUMBERS];
-        for ((number, text), column) in numbers.iter_mut().zip(&record).zip(COLUMNS) {
-            *number = text
-                .parse()
-                .map_err(|_| format!("line {line}: {column} is no number"))?;
-        }
-        inputs.push(input(numbers));
+        let parse = |(text, column): (&str, &&str)| {
+            let number: Result<f32, _> = text.parse();
+            number.map_err(|_| format!("line {line}: {column} is no number"))
+        };
+        let numbers: Result<Vec<f32>, String> = record.iter().zip(&columns).map(parse).collect();
+        inputs.push(function.input(&numbers?));
     }
     Ok(inputs)
 }
 
-fn of_binary(bytes: &[u8]) -> Result<Vec<ProbeInput>, String> {
-    const BYTES: usize = NUMBERS * size_of::<f32>();
-    if !bytes.len().is_multiple_of(BYTES) {
+fn of_binary(function: &Function, bytes: &[u8]) -> Result<Vec<ProbeInput>, String> {
+    let size = function.columns().len() * size_of::<f32>();
+    if !bytes.len().is_multiple_of(size) {
         return Err(format!(
-            "{} bytes are no whole number of inputs of {BYTES} bytes",
+            "{} bytes are no whole number of inputs of {size} bytes",
             bytes.len()
         ));
     }
-    let floats = |bytes: &[u8]| {
+    let one = |bytes: &[u8]| {
         let (words, _) = bytes.as_chunks();
-        std::array::from_fn(|i| f32::from_le_bytes(words[i]))
+        let numbers: Vec<f32> = words.iter().map(|word| f32::from_le_bytes(*word)).collect();
+        function.input(&numbers)
     };
-    Ok(bytes
-        .chunks_exact(BYTES)
-        .map(|one| input(floats(one)))
-        .collect())
-}
-
-fn input(numbers: [f32; NUMBERS]) -> ProbeInput {
-    let [nx, ny, nz, lx, ly, lz, ex, ey, ez, roughness, f0] = numbers;
-    ProbeInput::new([[nx, ny, nz], [lx, ly, lz], [ex, ey, ez]], roughness, f0)
+    Ok(bytes.chunks_exact(size).map(one).collect())
 }
 
 /// As many digits as tell one float from its neighbours.
@@ -208,37 +185,55 @@ fn list() -> String {
 mod tests {
     use super::*;
 
+    fn matte() -> &'static Function {
+        Function::of_name("oren-nayar").expect("it is there")
+    }
+
     const LINE: &str = "0,1,0, 0,1,0, 0.6,0.8,0, 0.5,0.04";
 
     #[test]
     fn a_line_is_an_input_with_or_without_a_head() {
-        let plain = of_csv(LINE.as_bytes()).expect("numbers");
+        let plain = of_csv(matte(), LINE.as_bytes()).expect("numbers");
         assert_eq!(plain.len(), 1);
         assert_eq!((plain[0].eye, plain[0].f0), ([0.6, 0.8, 0.0], 0.04));
-        let headed = format!("{}\n# note\n{LINE}\n{LINE}\n", COLUMNS.join(", "));
-        let headed = of_csv(headed.as_bytes()).expect("numbers");
+        let headed = format!("{}\n# note\n{LINE}\n{LINE}\n", matte().columns().join(", "));
+        let headed = of_csv(matte(), headed.as_bytes()).expect("numbers");
         assert_eq!(headed, [plain[0], plain[0]]);
-        assert_eq!(of_csv(b"").expect("nothing"), []);
+        assert_eq!(of_csv(matte(), b"").expect("nothing"), []);
     }
 
     #[test]
     fn what_is_no_input_is_told_by_its_line() {
-        let short = of_csv(format!("{LINE}\n1,2\n").as_bytes()).unwrap_err();
+        let short = of_csv(matte(), format!("{LINE}\n1,2\n").as_bytes()).unwrap_err();
         assert!(short.starts_with("line 2: 11 numbers"), "{short}");
-        let word = of_csv(b"0,1,0,0,1,0,x,0.8,0,0.5,0.04").unwrap_err();
+        let word = of_csv(matte(), b"0,1,0,0,1,0,x,0.8,0,0.5,0.04").unwrap_err();
         assert_eq!(word, "line 1: ex is no number");
-        let text = of_csv(b"0,1,0,0,1,0,nan,inf,-0,1e-45,0.04").expect("floats");
+        let text = of_csv(matte(), b"0,1,0,0,1,0,nan,inf,-0,1e-45,0.04").expect("floats");
         assert!(text[0].eye[0].is_nan() && text[0].eye[1].is_infinite());
-        assert!(of_csv(b"\xff,\xfe").is_err());
+        assert!(of_csv(matte(), b"\xff,\xfe").is_err());
+    }
+
+    #[test]
+    fn a_function_may_take_more() {
+        let metal = Function::of_name("conductor-f").expect("it is there");
+        let inputs = of_csv(metal, format!("{LINE},0.2,3.5").as_bytes()).expect("numbers");
+        assert_eq!(inputs[0].extra, [0.2, 3.5, 0.0, 0.0]);
+        let numbers = metal.numbers(&inputs[0]);
+        assert_eq!((numbers.len(), metal.input(&numbers)), (13, inputs[0]));
+        let short = of_csv(metal, LINE.as_bytes()).unwrap_err();
+        assert!(
+            short.contains("13 numbers") && short.contains("f0,n,k"),
+            "{short}"
+        );
     }
 
     #[test]
     fn bytes_are_inputs_too() {
-        let inputs = of_csv(LINE.as_bytes()).expect("numbers");
+        let inputs = of_csv(matte(), LINE.as_bytes()).expect("numbers");
         let numbers = [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.6, 0.8, 0.0, 0.5, 0.04_f32];
         let bytes: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
-        assert_eq!(of_binary(&bytes).expect("whole"), inputs);
-        assert!(of_binary(&bytes[1..]).is_err());
+        assert_eq!(of_binary(matte(), &bytes).expect("whole"), inputs);
+        assert!(of_binary(matte(), &bytes[1..]).is_err());
     }
 
     #[test]

@@ -6,6 +6,8 @@ mod doctor;
 mod effects;
 mod eval;
 mod exit;
+mod lighting;
+mod models;
 mod options;
 mod output;
 mod render;
@@ -44,6 +46,8 @@ enum Verb {
     Stability(stability::Arguments),
     /// Evaluate a lighting function as the shaders compute it, at inputs from a file
     Eval(eval::Arguments),
+    /// Hold the tiers of the lighting models against the surfaces that they stand for
+    Models(models::Arguments),
     /// List the Vulkan devices
     Devices(devices::Arguments),
     /// Say what Vulkan finds on this system, what is missing, and the line that mends it
@@ -72,6 +76,7 @@ pub fn run() -> ExitCode {
         Verb::Bench(arguments) => bench::run(&arguments),
         Verb::Stability(arguments) => stability::run(&arguments),
         Verb::Eval(arguments) => eval::run(&arguments),
+        Verb::Models(arguments) => models::run(&arguments),
         Verb::Devices(arguments) => devices::run(&arguments),
         Verb::Doctor => doctor::run(),
         Verb::Completions { shell } => {

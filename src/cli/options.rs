@@ -2,11 +2,8 @@
 
 use std::sync::Arc;
 
-use clap::ValueEnum;
-
 use crate::cli::exit::Failure;
 use crate::gpu::{self, Device, DeviceKind, DeviceSelector, Instance, Samples, Validation};
-use crate::reference::shade::Lighting;
 use crate::render::effects::{Build, EffectSet, Effects};
 
 /// `--device` and `--validation`.
@@ -39,33 +36,6 @@ pub fn device_selector(text: &str) -> Result<DeviceSelector, &'static str> {
     match text {
         "" => Err("it names no device"),
         text => Ok(DeviceSelector::parse(text)),
-    }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum LightingArgument {
-    /// Ambient, Lambert, Phong's highlight
-    Phong,
-    /// Oren-Nayar and Cook-Torrance as the slides' listings have them, to the letter
-    Slides,
-    /// The same models, rightly normalised and numerically safe, f0 per channel
-    Corrected,
-}
-
-impl LightingArgument {
-    /// The word on the command line.
-    pub fn name(self) -> String {
-        let value = self.to_possible_value();
-        value.map_or_else(String::new, |value| value.get_name().to_owned())
-    }
-
-    /// The model that is meant.
-    pub fn model(self) -> Lighting {
-        match self {
-            Self::Phong => Lighting::Phong,
-            Self::Slides => Lighting::Slides,
-            Self::Corrected => Lighting::Corrected,
-        }
     }
 }
 

@@ -9,9 +9,8 @@ use std::time::Instant;
 use clap::ValueEnum;
 
 use crate::cli::exit::{Exit, Failure, judge_messages};
-use crate::cli::options::{
-    DeviceArgument, LightingArgument, build, count, effects, samples, size, software,
-};
+use crate::cli::lighting::LightingArguments;
+use crate::cli::options::{DeviceArgument, build, count, effects, samples, size, software};
 use crate::cli::output::{JsonArgument, Output, talk, write_json};
 use crate::gpu::{Device, DeviceKind, Samples};
 use crate::reference::shade::Terms;
@@ -41,9 +40,8 @@ pub struct Arguments {
     samples: Samples,
     #[command(flatten)]
     device: DeviceArgument,
-    /// The lighting model
-    #[arg(long, default_value = "corrected")]
-    lighting: LightingArgument,
+    #[command(flatten)]
+    lighting: LightingArguments,
     /// What the picture may contain: census (what the scene calls for), all (the same picture, compiled for any
     /// scene), none, or a list of what is left of it: diffuse-lobe,point-light
     #[arg(long, value_name = "LIST", default_value = "census", value_parser = effects)]
@@ -96,13 +94,15 @@ enum ToneMappingArgument {
 
 /// Loads, renders, writes, reports.
 pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
+    let settings = settings(arguments)?;
     let Places { picture, json } = Places::open(arguments)?;
     let scene = scene::load(&arguments.scene, &load_options(arguments))?;
     let warnings = scene.warnings.iter().map(|w| format!("warning: {w}"));
     say(arguments, warnings);
     let device = open_device(arguments)?;
-    let rendered = render(arguments, &device, &scene);
-    let looked = rendered.and_then(|rendered| look(arguments, &device, &scene, rendered));
+    let rendered = render(&settings, &device, &scene);
+    let looked =
+        rendered.and_then(|rendered| look(arguments, &settings, &device, &scene, rendered));
     // Also, and above all, where the frame failed.
     let messages = device.instance().validation_log().drain();
     messages.iter().for_each(talk);
@@ -120,7 +120,7 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
         schema: RenderReport::SCHEMA,
         device: device.info().into(),
         scene: scene_size(&scene),
-        image: describe(path, arguments, &image, &defects),
+        image: describe(path, settings.samples, &image, &defects),
         frame,
         validation_messages: messages.len(),
         start_to_file_ms: start.elapsed().as_secs_f64() * 1e3 - outside_ms,
@@ -149,6 +149,7 @@ struct Rendered {
 /// Looks into bad pixels, where that is asked for.
 fn look(
     arguments: &Arguments,
+    settings: &Settings,
     device: &Arc<Device>,
     scene: &Scene,
     (image, frame): (Picture, FrameReport),
@@ -163,7 +164,7 @@ fn look(
         });
     }
     let renderer = Renderer::new(device, None)?;
-    let bad_pixels = bad_pixels(&renderer, scene, &settings(arguments), &image)?;
+    let bad_pixels = bad_pixels(&renderer, scene, settings, &image)?;
     let ev100 = arguments.exposure.unwrap_or(scene.camera.exposure_ev100);
     Ok(Rendered {
         image: image.false_colours(1.0 / exposure_factor(ev100)),
@@ -174,13 +175,13 @@ fn look(
 }
 
 fn render(
-    arguments: &Arguments,
+    settings: &Settings,
     device: &Arc<Device>,
     scene: &Scene,
 ) -> Result<(Picture, FrameReport), Failure> {
     let cache = dirs::cache_dir().map(|folder| folder.join("umber"));
     let renderer = Renderer::new(device, cache.as_deref())?;
-    Ok(renderer.render(scene, &settings(arguments))?)
+    Ok(renderer.render(scene, settings)?)
 }
 
 fn encode(
@@ -206,9 +207,9 @@ fn load_options(arguments: &Arguments) -> LoadOptions {
     }
 }
 
-fn settings(arguments: &Arguments) -> Settings {
+fn settings(arguments: &Arguments) -> Result<Settings, Failure> {
     let has = |term| arguments.terms.contains(&term);
-    Settings {
+    Ok(Settings {
         width: arguments.size.0,
         height: arguments.size.1,
         samples: match arguments.check {
@@ -216,7 +217,7 @@ fn settings(arguments: &Arguments) -> Settings {
             false => arguments.samples,
         },
         variant: Variant {
-            lighting: arguments.lighting.model(),
+            lighting: arguments.lighting.model()?,
             terms: Terms {
                 ambient: has(TermArgument::Ambient),
                 diffuse: has(TermArgument::Diffuse),
@@ -230,7 +231,7 @@ fn settings(arguments: &Arguments) -> Settings {
             },
             None => arguments.effects,
         },
-    }
+    })
 }
 
 /// Before any work: a size that the device cannot have is a matter of the command line.
@@ -317,12 +318,12 @@ fn scene_size(scene: &Scene) -> SceneSize {
     }
 }
 
-fn describe(path: String, arguments: &Arguments, picture: &Picture, defects: &Defects) -> Image {
+fn describe(path: String, samples: Samples, picture: &Picture, defects: &Defects) -> Image {
     Image {
         path,
         width: picture.width,
         height: picture.height,
-        samples: settings(arguments).samples.count(),
+        samples: samples.count(),
         nan_pixels: defects.not_finite(),
     }
 }

@@ -17,7 +17,7 @@ use super::texture_array::TextureArray;
 /// What the shaders find at a binding.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BindingKind {
-    /// A uniform block.
+    /// A uniform block; all stages may see it.
     Uniform,
     /// A window on a buffer of uniform blocks, which is moved when the set is bound. At most one in a set.
     UniformWindow,
@@ -44,7 +44,12 @@ impl BindingKind {
 
     fn stages(self) -> vk::ShaderStageFlags {
         match self {
-            Self::Uniform | Self::UniformWindow | Self::Storage => {
+            Self::Uniform => {
+                vk::ShaderStageFlags::VERTEX
+                    | vk::ShaderStageFlags::FRAGMENT
+                    | vk::ShaderStageFlags::COMPUTE
+            }
+            Self::UniformWindow | Self::Storage => {
                 vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT
             }
             Self::Written => vk::ShaderStageFlags::COMPUTE,

@@ -5,6 +5,10 @@
 //! formula in dot and cross products, which is the paper's for unit vectors (a test holds the two together), at the
 //! vectors as given and with compensated products.
 
+pub mod diffuse;
+pub mod fresnel;
+pub mod specular;
+
 use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3};
@@ -21,6 +25,8 @@ pub struct Given {
     pub noe: f64,
     /// L.E - (N.L)(N.E)
     pub s: f64,
+    /// N.(L x E)
+    pub triple: f64,
     /// N.(L + E)
     pub noh: f64,
     /// |N x (L + E)|^2
@@ -39,6 +45,7 @@ impl Given {
             nol: n_l.value(),
             noe: n_e.value(),
             s: (dot(l, e) - n_l * n_e).value(),
+            triple: n.as_dvec3().dot(l.as_dvec3().cross(e.as_dvec3())),
             noh: (n_l + n_e).value(),
             sine2: cross_of_sum(n, l, e).length_squared(),
             hh: (l.as_dvec3() + e.as_dvec3()).length_squared(),

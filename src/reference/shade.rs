@@ -6,22 +6,27 @@ use glam::DVec3;
 
 use super::coupled::Coupled;
 use super::hemisphere::{Surroundings, mean_radiance};
+use super::ladders::Mix;
+use super::metal::Metal;
 use super::punctual::{Incident, Light};
 use super::slides;
 
-/// The three published whole models.
+/// A whole model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lighting {
     /// The slides' starting point: ambient, Lambert, Phong's highlight.
     Phong,
     /// The slides' listings, to the letter.
     Slides,
-    /// The slides' models, rightly normalised and coupled.
-    Corrected,
+    /// A tier of each ladder, coupled.
+    Mixed(Mix),
 }
 
 impl Lighting {
-    pub const ALL: [Lighting; 3] = [Lighting::Phong, Lighting::Slides, Lighting::Corrected];
+    /// The slides' models, rightly normalised and coupled.
+    pub const CORRECTED: Lighting = Lighting::Mixed(Mix::CORRECTED);
+    /// The presets whose formulas are the slides'.
+    pub const ALL: [Lighting; 3] = [Lighting::Phong, Lighting::Slides, Lighting::CORRECTED];
 }
 
 /// Which terms count. Emission always does.
@@ -63,6 +68,8 @@ pub struct Surface {
     pub opacity: f64,
     /// Specular reflectance at normal incidence, 0..1.
     pub f0: DVec3,
+    /// What Fresnel terms take beside f0; none for a clear interface.
+    pub metal: Option<Metal>,
     /// 0..1.
     pub roughness: f64,
     /// Radiance given off, cd/m^2.
@@ -101,7 +108,7 @@ pub fn shade(
         let lobes = match lighting {
             Lighting::Phong => phong(surface, n, e, &incident),
             Lighting::Slides => slides(surface, n, e, &incident),
-            Lighting::Corrected => corrected(surface, n, e, &incident),
+            Lighting::Mixed(mix) => mixed(surface, mix, n, e, &incident),
         };
         if terms.diffuse {
             sum.diffuse += lobes.diffuse;
@@ -112,16 +119,18 @@ pub fn shade(
     }
     let alpha = match lighting {
         Lighting::Phong | Lighting::Slides => surface.opacity,
-        Lighting::Corrected => coupled(surface).alpha(n, e, surface.opacity),
+        Lighting::Mixed(mix) => coupled(surface, mix).alpha(n, e, surface.opacity),
     };
     let radiance = sum.diffuse * surface.opacity + sum.specular + surface.emission;
     (radiance.to_array(), alpha)
 }
 
-fn coupled(surface: &Surface) -> Coupled {
+fn coupled(surface: &Surface, mix: Mix) -> Coupled {
     Coupled {
+        mix,
         albedo: surface.albedo,
         f0: surface.f0,
+        metal: surface.metal.unwrap_or_else(|| Metal::clear(surface.f0)),
         roughness: surface.roughness.clamp(0.0, 1.0),
     }
 }
@@ -139,9 +148,9 @@ fn ambient(
             diffuse: (surface.albedo + surface.f0) * mean_radiance(around, n),
             specular: DVec3::ZERO,
         },
-        Lighting::Corrected => Lobes {
-            diffuse: coupled(surface).ambient_diffuse(n, e, around),
-            specular: coupled(surface).ambient_specular(n, e, around),
+        Lighting::Mixed(mix) => Lobes {
+            diffuse: coupled(surface, mix).ambient_diffuse(n, e, around),
+            specular: coupled(surface, mix).ambient_specular(n, e, around),
         },
     }
 }
@@ -175,8 +184,8 @@ fn slides(surface: &Surface, n: DVec3, e: DVec3, incident: &Incident) -> Lobes {
     }
 }
 
-fn corrected(surface: &Surface, n: DVec3, e: DVec3, incident: &Incident) -> Lobes {
-    let coupled = coupled(surface);
+fn mixed(surface: &Surface, mix: Mix, n: DVec3, e: DVec3, incident: &Incident) -> Lobes {
+    let coupled = coupled(surface, mix);
     Lobes {
         diffuse: incident.illuminance * coupled.diffuse(n, incident.l, e),
         specular: incident.illuminance

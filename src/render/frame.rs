@@ -9,7 +9,7 @@ use super::inspection::Inspection;
 use super::picture::Picture;
 use super::plan::Plan;
 use super::renderer::{RenderError, Renderer, Settings};
-use super::scene_buffers::SceneBuffers;
+use super::scene_buffers::{Look, SceneBuffers};
 use super::shading_pass::{Batch, Shading};
 use super::shadow_maps::ShadowMaps;
 use super::shadow_pass::ShadowPass;
@@ -96,7 +96,11 @@ impl<'s> Frame<'s> {
         let aspect = settings.width as f32 / settings.height as f32;
         let effects = &settings.effects;
         let shadows = shadow_maps(uploaded, effects, aspect)?;
-        let buffers = SceneBuffers::new(device, uploaded, aspect, effects, &shadows)
+        let look = Look {
+            effects: *effects,
+            mix: settings.variant.mix(),
+        };
+        let buffers = SceneBuffers::new(renderer, uploaded, aspect, &look, &shadows)
             .map_err(RenderError::of_scene)?;
         let depths = match &shadows.maps[..] {
             [] => None,

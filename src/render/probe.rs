@@ -2,23 +2,26 @@
 //!
 //! One compute shader includes the files that every frame is shaded with, and calls them.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use super::library::{Function, Tier};
+use super::library::{Function, MODEL, Tier};
+use super::missing_table;
+use super::variant::Variant;
 use crate::gpu::{
     Binding, BindingKind, Buffer, BufferUse, ComputePipeline, Constant, DescriptorSet, Device,
     Error, PipelineCache, PipelineLayout, Recorder, Resource, SetLayout, Spirv, Timestamps,
 };
 use crate::interface::reflected::{bindings, constants, values};
-use crate::interface::{ProbeInput, ProbeResult, spirv};
+use crate::interface::{ProbeInput, ProbeResult};
+use crate::reference::shade::{Lighting, Terms};
 
-/// Invocations of a dispatch: 12 MiB of inputs and 4 of results.
+/// Invocations of a dispatch: 16 MiB of inputs and 4 of results.
 const MOST_INVOCATIONS: u32 = 1 << 18;
 
 /// `local_size_x` of the shader.
 const GROUP: u32 = 64;
 
-const BINDINGS: [Binding; 2] = [
+const BINDINGS: [Binding; 3] = [
     Binding {
         slot: bindings::ProbeInputBlock,
         kind: BindingKind::Written,
@@ -26,6 +29,10 @@ const BINDINGS: [Binding; 2] = [
     Binding {
         slot: bindings::ProbeResultBlock,
         kind: BindingKind::Written,
+    },
+    Binding {
+        slot: bindings::MissingBlock,
+        kind: BindingKind::Uniform,
     },
 ];
 
@@ -46,15 +53,23 @@ pub struct Probe {
     cache: PipelineCache,
     function: &'static Function,
     tier: Tier,
+    /// Of a whole model.
+    variant: Option<Variant>,
+    missing: Arc<Buffer>,
+    /// One for each source of inputs that was asked for: a CPU driver takes a second to compile one.
+    made: Mutex<Vec<(i32, Arc<ComputePipeline>)>>,
 }
 
-/// The push constants of `interface/probe.glsl`, in order.
+/// The push constants of `interface/probe.glsl`, in order, before the range of what the function takes beside.
 struct Job {
     seed: u32,
     first: u32,
     count: u32,
     repeats: u32,
 }
+
+/// Those four, and two ends of a range of four numbers.
+const PUSHED: usize = 12;
 
 impl Probe {
     /// A probe; its pipelines are made when they are first asked for.
@@ -67,15 +82,47 @@ impl Probe {
         tier: Tier,
     ) -> Result<Self, Error> {
         let layout = SetLayout::new(device, "probe", &BINDINGS)?;
-        let bytes = size_of::<Job>() as u32;
+        let bytes = (PUSHED * size_of::<u32>()) as u32;
+        let missing = match function.name {
+            "ggx-multi" | "model" => missing_table::table(None),
+            _ => missing_table::nothing(),
+        };
+        let missing = bytemuck::cast_slice(&missing);
         Ok(Self {
             pipeline_layout: PipelineLayout::for_compute(device, "probe", &layout, bytes)?,
             cache: PipelineCache::open(device, None)?,
             device: Arc::clone(device),
+            missing: Arc::new(Buffer::with_data(
+                device,
+                "missing",
+                BufferUse::Uniform,
+                missing,
+            )?),
             layout,
             function,
             tier,
+            variant: None,
+            made: Mutex::default(),
         })
+    }
+
+    /// A probe of a whole model.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn of_model(device: &Arc<Device>, lighting: Lighting) -> Result<Self, Error> {
+        Ok(Self {
+            variant: Some(Variant {
+                lighting,
+                terms: Terms::ALL,
+            }),
+            ..Self::new(device, &MODEL, Tier::F32)?
+        })
+    }
+
+    /// What is probed.
+    pub fn function(&self) -> &'static Function {
+        self.function
     }
 
     /// The results at inputs of the host, in their order.
@@ -162,17 +209,53 @@ impl Probe {
         })
     }
 
-    fn pipeline(&self, source: i32) -> Result<ComputePipeline, Error> {
+    fn pipeline(&self, source: i32) -> Result<Arc<ComputePipeline>, Error> {
+        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, pipeline)) = made.iter().find(|(known, _)| *known == source) {
+            return Ok(Arc::clone(pipeline));
+        }
+        let pipeline = Arc::new(self.make(source)?);
+        made.push((source, Arc::clone(&pipeline)));
+        Ok(pipeline)
+    }
+
+    fn make(&self, source: i32) -> Result<ComputePipeline, Error> {
         let name = format!("probe[{}, {}]", self.function.name, self.tier.name());
         let constants = [
             (constants::PROBE_FUNCTION, self.function.constant),
             (constants::PROBE_TIER, self.tier.constant()),
             (constants::PROBE_SOURCE, source),
+            (constants::PROBE_SHAPE, self.function.shape.constant()),
         ]
         .map(|(id, value)| Constant { id, value });
-        let shader = Spirv(spirv::PROBE_COMP);
+        let constants = [&constants[..], &self.model_constants()].concat();
+        let shader = Spirv(self.function.shader);
         let layout = &self.pipeline_layout;
         ComputePipeline::new(&self.device, layout, &self.cache, &name, shader, &constants)
+    }
+
+    /// The tiers, and every effect of theirs.
+    fn model_constants(&self) -> Vec<Constant> {
+        let Some(variant) = self.variant else {
+            return Vec::new();
+        };
+        let effects = [
+            constants::EFFECT_DIFFUSE_LOBE,
+            constants::EFFECT_SPECULAR_LOBE,
+            constants::EFFECT_ROUGH_DIFFUSE,
+        ];
+        let on = effects.map(|id| Constant { id, value: 1 });
+        variant.constants().into_iter().chain(on).collect()
+    }
+
+    fn pushed(&self, job: &Job) -> [u32; PUSHED] {
+        let low = self.function.extra_at([0.0; 4]).map(f32::to_bits);
+        let high = self.function.extra_at([1.0; 4]).map(f32::to_bits);
+        let mut pushed = [0; PUSHED];
+        pushed[..4].copy_from_slice(&[job.seed, job.first, job.count, job.repeats]);
+        pushed[4..8].copy_from_slice(&low);
+        pushed[8..].copy_from_slice(&high);
+        pushed
     }
 
     fn set(&self, inputs: &[ProbeInput]) -> Result<ProbeSet, Error> {
@@ -183,7 +266,8 @@ impl Probe {
         let data = bytemuck::cast_slice(&blank);
         let results = Buffer::with_data(device, "probe: results", BufferUse::Written, data)?;
         let (inputs, results) = (Arc::new(inputs_buffer), Arc::new(results));
-        let resources = [&inputs, &results].map(|buffer| Resource::Buffer(Arc::clone(buffer)));
+        let resources =
+            [&inputs, &results, &self.missing].map(|buffer| Resource::Buffer(Arc::clone(buffer)));
         Ok(ProbeSet {
             set: DescriptorSet::new(&self.layout, "probe", &resources)?,
             inputs,
@@ -207,7 +291,7 @@ impl ProbeSet {
         job: &Job,
         timestamps: Option<&Timestamps>,
     ) -> Result<(), Error> {
-        let push = [job.seed, job.first, job.count, job.repeats];
+        let push = probe.pushed(job);
         let groups = job.count.div_ceil(GROUP);
         let mut recorder = Recorder::new(&probe.device, "probe")?;
         match timestamps {
@@ -224,7 +308,7 @@ impl ProbeSet {
 /// Evaluations that can be timed again and again.
 pub struct ProbeClock<'p> {
     probe: &'p Probe,
-    pipeline: ComputePipeline,
+    pipeline: Arc<ComputePipeline>,
     set: ProbeSet,
     timestamps: Option<Timestamps>,
     job: Job,

@@ -1,19 +1,32 @@
 //! How does a scene become the records that the shaders read?
 
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, DVec3, Vec3};
 
 use super::maps::Maps;
 use crate::interface::reflected::values;
 use crate::interface::{Instance, Light, Material};
+use crate::reference::ladders::Fresnel;
+use crate::reference::metal::Metal;
+use crate::reference::reflectance::Reflectance;
 use crate::scene::{self, Slot};
 
 /// The record of a material that calls for the effects of these bits.
-pub fn material(material: &scene::Material, effects: u32, maps: &Maps) -> Material {
+pub fn material(
+    material: &scene::Material,
+    effects: u32,
+    fresnel: Fresnel,
+    maps: &Maps,
+) -> Material {
     let map = |slot| maps.handle(material.maps.get(slot));
+    let (f0, [fresnel_1, fresnel_2, fresnel_3, fresnel_4]) = reflectance(material, fresnel);
     Material {
         albedo: material.albedo,
         opacity: material.opacity,
-        f0: material.f0,
+        f0,
+        fresnel_1,
+        fresnel_2,
+        fresnel_3,
+        fresnel_4,
         roughness: material.roughness,
         emission: material.emission,
         shininess: material.shininess,
@@ -31,6 +44,23 @@ pub fn material(material: &scene::Material, effects: u32, maps: &Maps) -> Materi
         alpha_mask: map(Slot::AlphaMask),
         ..bytemuck::Zeroable::zeroed()
     }
+}
+
+/// What the shaders' Fresnel term takes: f0, and what `interface/materials.glsl` says of the other four.
+fn reflectance(material: &scene::Material, tier: Fresnel) -> ([f32; 3], [[f32; 3]; 4]) {
+    let f0 = Vec3::from(material.f0).as_dvec3();
+    let metal = material.metal.unwrap_or_else(|| Metal::clear(f0));
+    let mean = || Reflectance { tier, f0, metal }.mean();
+    let zero = DVec3::ZERO;
+    let (f0, numbers) = match tier {
+        Fresnel::Scale | Fresnel::Schlick => (f0, [zero; 4]),
+        Fresnel::F82 => (f0, [metal.tint, zero, zero, zero]),
+        Fresnel::Dielectric => (f0, [mean(), zero, zero, zero]),
+        Fresnel::Conductor => (f0, [metal.n, metal.k, mean(), zero]),
+        Fresnel::Spectral => (metal.f0, metal.coefficients),
+    };
+    let narrow = |v: DVec3| v.as_vec3().to_array();
+    (narrow(f0), numbers.map(narrow))
 }
 
 /// The record of an object that stands at `transform` and is made of material number `material`.

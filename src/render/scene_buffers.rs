@@ -7,21 +7,23 @@ use super::maps::Maps;
 use super::renderer::Renderer;
 use super::shadow_maps::ShadowMaps;
 use super::uploaded::Uploaded;
-use super::{camera, records};
+use super::{camera, missing_table, records};
 use crate::gpu::{
-    Binding, BindingKind, Buffer, BufferUse, DepthArray, DescriptorSet, Device, Error, Resource,
+    Binding, BindingKind, Buffer, BufferUse, DepthArray, DescriptorSet, Error, Resource,
 };
-use crate::interface::Frame;
 use crate::interface::reflected::bindings;
-use crate::scene::Scene;
+use crate::interface::{Frame, Material};
+use crate::reference::ladders::{Mix, Specular};
+use crate::scene::{self, Scene};
 
 /// The one set: everything that a material, an object, a light or a frame is, is data here.
-pub const BINDINGS: [Binding; 20] = [
+pub const BINDINGS: [Binding; 21] = [
     of(bindings::FrameBlock, BindingKind::Uniform),
     of(bindings::InstanceBlock, BindingKind::Storage),
     of(bindings::MaterialBlock, BindingKind::Storage),
     of(bindings::LightBlock, BindingKind::Storage),
     of(bindings::ShadowBlock, BindingKind::Storage),
+    of(bindings::MissingBlock, BindingKind::Uniform),
     of(bindings::shadow_depths, BindingKind::Texture),
     of(bindings::shadow_sampler, BindingKind::Sampler),
     of(bindings::map_sampler, BindingKind::Sampler),
@@ -45,8 +47,25 @@ const fn of(slot: u32, kind: BindingKind) -> Binding {
 
 /// The records that shaders read.
 pub struct SceneBuffers {
-    /// `Frame`, `Instance[]`, `Material[]`, `Light[]`, `ShadowMap[]`: the first of `BINDINGS`.
-    records: [Arc<Buffer>; 5],
+    /// `Frame`, `Instance[]`, `Material[]`, `Light[]`, `ShadowMap[]`, the table of what facets miss: the first of `BINDINGS`.
+    records: [Arc<Buffer>; 6],
+}
+
+/// What materials and lights are recorded for.
+#[derive(Clone, Copy)]
+pub struct Look {
+    /// The frame's effects.
+    pub effects: Effects,
+    /// Its tiers.
+    pub mix: Mix,
+}
+
+impl Look {
+    /// A material's record.
+    pub fn record(&self, material: &scene::Material, maps: &Maps) -> Material {
+        let bits = self.effects.material_bits(material);
+        records::material(material, bits, self.mix.fresnel, maps)
+    }
 }
 
 impl SceneBuffers {
@@ -55,12 +74,13 @@ impl SceneBuffers {
     /// # Errors
     /// More objects than the device's storage range holds, or no memory.
     pub fn new(
-        device: &Arc<Device>,
+        renderer: &Renderer,
         uploaded: &Uploaded,
         aspect: f32,
-        effects: &Effects,
+        look: &Look,
         shadows: &ShadowMaps,
     ) -> Result<Self, Error> {
+        let device = &renderer.device;
         let Uploaded { scene, maps, .. } = uploaded;
         let instances: Vec<_> = scene
             .objects
@@ -70,14 +90,19 @@ impl SceneBuffers {
         let materials: Vec<_> = scene
             .materials
             .iter()
-            .map(|material| records::material(material, effects.material_bits(material), maps))
+            .map(|material| look.record(material, maps))
             .collect();
         let lights: Vec<_> = scene
             .lights
             .iter()
             .zip(&shadows.of_light)
-            .map(|(light, maps)| records::light(light, effects.light_bits(light), *maps))
+            .map(|(light, maps)| records::light(light, look.effects.light_bits(light), *maps))
             .collect();
+        let missing = match look.mix.specular {
+            Specular::GgxMulti => missing_table::table(renderer.caches.as_deref()),
+            _ => missing_table::nothing(),
+        };
+        let missing = bytemuck::cast_slice(&missing);
         let storage = |name, bytes: &[u8]| {
             Buffer::with_data(device, name, BufferUse::Storage, bytes).map(Arc::new)
         };
@@ -90,6 +115,7 @@ impl SceneBuffers {
                 storage("materials", bytemuck::cast_slice(&materials))?,
                 storage("lights", bytemuck::cast_slice(&lights))?,
                 storage("shadow maps", bytemuck::cast_slice(&shadows.maps))?,
+                Buffer::with_data(device, "missing", BufferUse::Uniform, missing).map(Arc::new)?,
             ],
         })
     }

@@ -116,6 +116,14 @@ pub(super) struct MaterialText {
     pub albedo: Option<Triple>,
     /// Specular reflectance at normal incidence, 0..1; below 1e-6 it becomes 0.
     pub f0: Option<Triple>,
+    /// A metal whose index was measured: gold, copper, silver or aluminium. Gives f0, f82, n and k, unless they are stated.
+    pub metal: Option<String>,
+    /// Reflectance at 82 degrees over what Schlick's curve has there, 0..1; 1 if absent.
+    pub f82: Option<Triple>,
+    /// Index of refraction at 610, 549 and 468 nm, 0.01..100; from f0 if absent.
+    pub n: Option<Triple>,
+    /// Extinction there, 0..100; 0 if absent.
+    pub k: Option<Triple>,
     /// 0..1.
     pub roughness: Option<f64>,
     /// 0..1.

@@ -1,5 +1,6 @@
 //! Which numbers make a material, and where does each come from?
 
+use glam::{DVec3, Vec3};
 use indexmap::IndexMap;
 
 use super::checks::{LIGHT, Range, UNIT};
@@ -8,6 +9,8 @@ use super::error::Error;
 use super::layers::Layers;
 use super::maps::{Maps, Slot};
 use super::{quote, suggest};
+use crate::reference::metal::Metal;
+use crate::reference::spectral;
 
 /// The numbers of one material. Colours are linear sRGB.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +22,8 @@ pub struct Material {
     /// reflects nothing that can be seen, and where f0 divides, a subnormal number has no result
     /// that GLSL defines.
     pub f0: [f32; 3],
+    /// What Fresnel terms beyond Schlick's take; none for a clear interface, whose f0 says all.
+    pub metal: Option<Metal>,
     /// Oren-Nayar's sigma and Beckmann's m, 0..1.
     pub roughness: f32,
     /// 0..1; 1 hides what lies behind.
@@ -45,6 +50,7 @@ impl Default for Material {
             name: DEFAULT_NAME.to_owned(),
             albedo: [DEFAULT_ALBEDO as f32; 3],
             f0: [DIELECTRIC_F0 as f32; 3],
+            metal: None,
             roughness: DEFAULT_ROUGHNESS as f32,
             opacity: 1.0,
             emission: [0.0; 3],
@@ -78,6 +84,10 @@ const SMALLEST_F0: f32 = 1e-6;
 /// The most materials that one is `like`, each of the next: a chain is followed anew for each
 /// material, and nobody reads a longer one.
 const LONGEST_CHAIN: usize = 32;
+
+/// Indices of refraction of metals in the visible lie between 0.04 and 8, extinctions between 1 and 10.
+const INDEX: Range = Range::closed(0.01, 100.0);
+const EXTINCTION: Range = Range::closed(0.0, 100.0);
 
 const SHININESS: Range = Range::closed(0.0, MAX_SHININESS as f64);
 
@@ -162,12 +172,18 @@ impl Palette {
             let value = value.map_or([default; 3], |triple| triple.0);
             layers.triple(&at(key), value, range)
         };
+        let measured = measured(&text, name, layers)?;
+        let f0 = match (text.f0, measured) {
+            (None, Some(metal)) => metal.f0.clamp(DVec3::ZERO, DVec3::ONE).as_vec3().to_array(),
+            _ => color("f0", text.f0, DIELECTRIC_F0, UNIT)?,
+        };
+        let f0 = f0.map(|f0| if f0 < SMALLEST_F0 { 0.0 } else { f0 });
         let repeat = text.map_repeat.map_or([1.0; 2], |pair| pair.0);
         Ok(Material {
             name: name.to_owned(),
             albedo: color("albedo", text.albedo, DEFAULT_ALBEDO, UNIT)?,
-            f0: color("f0", text.f0, DIELECTRIC_F0, UNIT)?
-                .map(|f0| if f0 < SMALLEST_F0 { 0.0 } else { f0 }),
+            f0,
+            metal: metal(&text, measured, f0, name, layers)?,
             roughness,
             opacity: layers.number(&at("opacity"), text.opacity.unwrap_or(1.0), UNIT)?,
             emission: color("emission", text.emission, 0.0, LIGHT)?,
@@ -233,6 +249,50 @@ impl Palette {
     }
 }
 
+/// The metal that a material names.
+fn measured(text: &MaterialText, name: &str, layers: &Layers) -> Result<Option<Metal>, Error> {
+    let Some(metal) = &text.metal else {
+        return Ok(None);
+    };
+    let found = spectral::METALS.iter().find(|known| known.name == metal);
+    match found {
+        Some(known) => Ok(Some(known.metal())),
+        None => {
+            let names = spectral::METALS.iter().map(|known| known.name);
+            let message = suggest::unknown("metal", metal, names);
+            Err(layers.error(&["material", name, "metal"], message))
+        }
+    }
+}
+
+/// What Fresnel terms take: of the metal that is named, and what is stated instead.
+fn metal(
+    text: &MaterialText,
+    measured: Option<Metal>,
+    f0: [f32; 3],
+    name: &str,
+    layers: &Layers,
+) -> Result<Option<Metal>, Error> {
+    let stated = [&text.f82, &text.n, &text.k];
+    if measured.is_none() && stated.iter().all(|triple| triple.is_none()) {
+        return Ok(None);
+    }
+    let metal = measured.unwrap_or_else(|| Metal::clear(Vec3::from(f0).as_dvec3()));
+    let or = |key, value: &Option<Triple>, otherwise: DVec3, range| match value {
+        None => Ok(otherwise),
+        Some(triple) => {
+            let triple = layers.triple(&["material", name, key], triple.0, range)?;
+            Ok(Vec3::from(triple).as_dvec3())
+        }
+    };
+    Ok(Some(Metal {
+        tint: or("f82", &text.f82, metal.tint, UNIT)?,
+        n: or("n", &text.n, metal.n, INDEX)?,
+        k: or("k", &text.k, metal.k, EXTINCTION)?,
+        ..metal
+    }))
+}
+
 /// Takes from `from` what `into` lacks.
 fn fill(into: &mut MaterialText, from: &MaterialText) {
     fn take<T: Clone>(into: &mut Option<T>, from: &Option<T>) {
@@ -242,6 +302,10 @@ fn fill(into: &mut MaterialText, from: &MaterialText) {
     }
     take(&mut into.albedo, &from.albedo);
     take(&mut into.f0, &from.f0);
+    take(&mut into.metal, &from.metal);
+    take(&mut into.f82, &from.f82);
+    take(&mut into.n, &from.n);
+    take(&mut into.k, &from.k);
     take(&mut into.roughness, &from.roughness);
     take(&mut into.opacity, &from.opacity);
     take(&mut into.emission, &from.emission);

@@ -2,8 +2,10 @@
 //!
 //! A study measures and returns a table; it neither parses nor prints.
 
+mod clocks;
 mod effects;
 mod first_draw;
+pub mod ladders;
 mod own_process;
 pub mod stability;
 pub mod state_changes;

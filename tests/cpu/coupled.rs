@@ -89,11 +89,7 @@ fn no_roughness_f0_or_angle_makes_light() {
 #[test]
 fn the_split_is_the_model() {
     let (theta, roughness, f0) = (1.1, 0.4, 0.05);
-    let surface = Coupled {
-        albedo: DVec3::ONE,
-        f0: DVec3::splat(f0),
-        roughness,
-    };
+    let surface = Coupled::corrected(DVec3::ONE, DVec3::splat(f0), roughness);
     let e = spherical(theta, 0.4);
     let rule = GaussLegendre::new(12);
     let diffuse = hemisphere(&rule, N, e, |l| surface.diffuse(N, l, e).x);
@@ -108,11 +104,7 @@ fn the_split_is_the_model() {
 
 #[test]
 fn light_and_eye_may_change_places() {
-    let surface = Coupled {
-        albedo: DVec3::new(0.2, 0.5, 1.0),
-        f0: DVec3::new(0.03, 0.04, 0.1),
-        roughness: 0.6,
-    };
+    let surface = Coupled::corrected(DVec3::new(0.2, 0.5, 1.0), DVec3::new(0.03, 0.04, 0.1), 0.6);
     for (l, e) in pairs() {
         let there = (surface.diffuse(N, l, e) + surface.specular(N, l, e, 0.0)) * N.dot(e);
         let back = (surface.diffuse(N, e, l) + surface.specular(N, e, l, 0.0)) * N.dot(l);
@@ -129,16 +121,8 @@ fn light_and_eye_may_change_places() {
 
 #[test]
 fn without_interface_there_is_only_the_base_and_behind_a_mirror_none() {
-    let bare = Coupled {
-        albedo: DVec3::ONE,
-        f0: DVec3::ZERO,
-        roughness: 0.5,
-    };
-    let mirror = Coupled {
-        albedo: DVec3::ONE,
-        f0: DVec3::ONE,
-        roughness: 0.5,
-    };
+    let bare = Coupled::corrected(DVec3::ONE, DVec3::ZERO, 0.5);
+    let mirror = Coupled::corrected(DVec3::ONE, DVec3::ONE, 0.5);
     for (l, e) in pairs() {
         assert_eq!(bare.specular(N, l, e, 0.0), DVec3::ZERO);
         let base = conserving_lobe(N, l, e, 0.5) / PI;
@@ -155,11 +139,7 @@ fn even_surroundings_are_not_outshone() {
     };
     for f0 in [0.0, 0.001, 0.04, 0.5, 1.0] {
         for roughness in [0.0, 0.3, 1.0] {
-            let surface = Coupled {
-                albedo: DVec3::ONE,
-                f0: DVec3::splat(f0),
-                roughness,
-            };
+            let surface = Coupled::corrected(DVec3::ONE, DVec3::splat(f0), roughness);
             for theta in view_angles() {
                 let e = spherical(theta, 0.0);
                 let sum = surface.ambient_diffuse(N, e, &around)
@@ -175,11 +155,7 @@ fn even_surroundings_are_not_outshone() {
 
 #[test]
 fn a_clear_base_hides_only_what_the_interface_reflects() {
-    let glass = Coupled {
-        albedo: DVec3::ZERO,
-        f0: DVec3::splat(0.04),
-        roughness: 0.0,
-    };
+    let glass = Coupled::corrected(DVec3::ZERO, DVec3::splat(0.04), 0.0);
     assert_close(glass.alpha(N, N, 0.0), 0.04, SAME_FORMULA, "from above");
     assert_close(
         glass.alpha(N, DVec3::X, 0.0),

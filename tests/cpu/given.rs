@@ -39,11 +39,7 @@ fn unit_vectors_give_what_the_papers_say() {
         let (m, f0) = (f64::from(input.roughness), f64::from(input.f0));
         let h = (l + e).normalize();
         let grey = DVec3::splat(f0);
-        let coupled = Coupled {
-            albedo: DVec3::ONE,
-            f0: grey,
-            roughness: m,
-        };
+        let coupled = Coupled::corrected(DVec3::ONE, grey, m);
         let both = coupled.diffuse(n, l, e) + coupled.specular(n, l, e, 0.0);
         for (what, got, want) in [
             (

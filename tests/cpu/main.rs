@@ -1,16 +1,27 @@
 //! Do the parts that need no GPU do what they say?
 
 mod beckmann;
+mod beckmann_smith;
 mod bench_record;
 mod bench_report;
+mod blinn_phong;
+mod conductor;
 mod constants;
 mod cook_torrance;
 mod coordinates;
 mod coupled;
 mod crease_normals;
+mod dielectric;
 mod effects;
+mod eon;
+mod f82;
+mod fujii;
+mod full_oren_nayar;
+mod ggx;
 mod given;
 mod hemisphere;
+mod kulla_conty;
+mod lambert;
 mod layout;
 mod maps;
 mod material_library;
@@ -32,11 +43,13 @@ mod shader_build;
 #[path = "../../src/shader_build/mod.rs"]
 mod shader_builder;
 mod shapes;
+mod spectral;
 mod stability_report;
 mod statistics;
 mod textures;
 mod tidy;
 #[path = "../tolerances.rs"]
 mod tolerances;
+mod truth;
 mod v_cavity;
 mod wall;

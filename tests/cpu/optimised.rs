@@ -29,7 +29,7 @@ fn phong_keeps_nothing_of_the_other_models() {
     let (phong, corrected) = (surface(&[("LIGHTING", 0)]), surface(&[("LIGHTING", 2)]));
     assert!(phong.functions.contains("PhongSpecular"), "{phong:?}");
     assert!(
-        corrected.functions.contains("cook_torrance"),
+        corrected.functions.contains("cook_torrance_facets"),
         "{corrected:?}"
     );
     for name in phong.names() {
@@ -57,7 +57,7 @@ fn without_terms_the_lights_are_walked_for_nothing() {
         ("TERM_DIFFUSE", 0),
         ("TERM_SPECULAR", 0),
     ]);
-    for gone in ["cook_torrance", "oren_nayar", "hemisphere_diffuse"] {
+    for gone in ["cook_torrance_facets", "oren_nayar", "hemisphere_diffuse"] {
         assert!(!none.functions.contains(gone), "{gone} is left");
     }
     assert!(none.instructions < surface(&[]).instructions);

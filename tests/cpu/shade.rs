@@ -24,6 +24,7 @@ fn plastic() -> Surface {
         albedo: DVec3::new(0.6, 0.3, 0.1),
         opacity: 1.0,
         f0: DVec3::splat(0.04),
+        metal: None,
         roughness: 0.4,
         emission: DVec3::ZERO,
         shininess: 20.0,
@@ -128,7 +129,7 @@ fn bare_and_rough_the_slides_diffuse_is_the_corrected_one() {
                 ..plastic()
             };
             let slides = rgb(&surface, &[sun(l)], Lighting::Slides, terms);
-            let corrected = rgb(&surface, &[sun(l)], Lighting::Corrected, terms);
+            let corrected = rgb(&surface, &[sun(l)], Lighting::CORRECTED, terms);
             for channel in 0..3 {
                 assert_close(slides[channel], corrected[channel], SAME_FORMULA, "diffuse");
             }
@@ -192,7 +193,7 @@ fn opacity_dims_the_base_and_not_the_interface() {
         let (_, opaque) = shade(&plastic(), &light, &AROUND, lighting, Terms::ALL);
         assert_close(opaque, 1.0, SAME_FORMULA, "alpha of an opaque base");
     }
-    let (_, alpha) = shade(&clear, &light, &AROUND, Lighting::Corrected, Terms::ALL);
+    let (_, alpha) = shade(&clear, &light, &AROUND, Lighting::CORRECTED, Terms::ALL);
     assert!(alpha > 0.04 && alpha < 0.05, "{alpha}");
     assert_eq!(
         shade(&clear, &light, &AROUND, Lighting::Slides, Terms::ALL).1,
@@ -233,7 +234,7 @@ fn corrected_and_phong_are_finite_and_not_negative_everywhere() {
                         shininess: 0.0,
                         ..plastic()
                     };
-                    for lighting in [Lighting::Phong, Lighting::Corrected] {
+                    for lighting in [Lighting::Phong, Lighting::CORRECTED] {
                         let pixel = rgb(&surface, &[sun(l)], lighting, Terms::ALL);
                         let good = pixel.is_finite() && pixel.min_element() >= 0.0;
                         assert!(
@@ -258,7 +259,7 @@ fn a_normal_without_direction_faces_the_eye() {
         normal: plastic().to_eye,
         ..plastic()
     };
-    for lighting in [Lighting::Phong, Lighting::Corrected] {
+    for lighting in [Lighting::Phong, Lighting::CORRECTED] {
         let expected = rgb(&facing, &light, lighting, Terms::ALL);
         assert_eq!(rgb(&degenerate, &light, lighting, Terms::ALL), expected);
     }

@@ -127,9 +127,9 @@ fn four_samples_average_an_edge_and_leave_the_rest_alone() {
     };
     let mut scene = patches.scene();
     scene.objects[0].transform = glam::Affine3A::from_rotation_z(0.3);
-    let one = with_gpu(|gpu| gpu.render(&scene, (32, 32), whole(Lighting::Corrected)));
+    let one = with_gpu(|gpu| gpu.render(&scene, (32, 32), whole(Lighting::CORRECTED)));
     let (four, _) =
-        with_gpu(|gpu| gpu.render_at(&scene, (32, 32), Samples::Four, whole(Lighting::Corrected)));
+        with_gpu(|gpu| gpu.render_at(&scene, (32, 32), Samples::Four, whole(Lighting::CORRECTED)));
     assert_eq!(one.at(16, 16), [4.0, 2.0, 1.0, 1.0]);
     assert_eq!(four.at(16, 16), [4.0, 2.0, 1.0, 1.0]);
     let steps = |value: f32| (value * 4.0).fract() == 0.0;
@@ -181,7 +181,7 @@ fn both_sides_of_a_face_are_lit_and_a_mirrored_object_is_no_different() {
 }
 
 fn middle_pixel_corrected(scene: &Scene) -> [f32; 4] {
-    with_gpu(|gpu| gpu.render(scene, (3, 3), whole(Lighting::Corrected))).at(1, 1)
+    with_gpu(|gpu| gpu.render(scene, (3, 3), whole(Lighting::CORRECTED))).at(1, 1)
 }
 
 #[test]

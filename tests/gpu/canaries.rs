@@ -57,7 +57,7 @@ fn everything_is_destroyed_before_the_device_and_in_order() -> Result<(), umber:
             width: 32,
             height: 18,
             samples,
-            variant: whole(Lighting::Corrected),
+            variant: whole(Lighting::CORRECTED),
             effects: Effects::default(),
         };
         if let Err(error) = renderer.render(&scene, &settings) {

@@ -135,9 +135,9 @@ fn a_pipeline_is_made_once_for_a_variant_and_never_for_a_material() -> Result<()
             let (_, report) = fresh.render_at(&scene(count), (20, 20), samples, variant);
             report.pipelines_created
         };
-        let corrected = whole(Lighting::Corrected);
+        let corrected = whole(Lighting::CORRECTED);
         let diffuse = Variant {
-            lighting: Lighting::Corrected,
+            lighting: Lighting::CORRECTED,
             terms: Terms {
                 diffuse: true,
                 ..Terms::NONE

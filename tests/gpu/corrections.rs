@@ -34,7 +34,7 @@ fn the_zoo_by_the_listing_and_corrected() {
     println!("| --- | --- | --- | --- | --- |");
     let mut ratios = Vec::new();
     for terms in TERM_SETS {
-        let [slides, corrected] = [Lighting::Slides, Lighting::Corrected].map(|lighting| {
+        let [slides, corrected] = [Lighting::Slides, Lighting::CORRECTED].map(|lighting| {
             with_gpu(|gpu| gpu.render(&scene, (640, 360), Variant { lighting, terms }))
         });
         let codes = |picture| srgb_codes(picture, ev100, ToneMapping::Neutral);
@@ -79,7 +79,7 @@ fn the_listings_highlight_is_4_over_pi_too_bright() {
         ambient: DARK,
         patches,
     };
-    let [slides, corrected] = [Lighting::Slides, Lighting::Corrected].map(|lighting| {
+    let [slides, corrected] = [Lighting::Slides, Lighting::CORRECTED].map(|lighting| {
         let terms = Terms {
             specular: true,
             ..Terms::NONE

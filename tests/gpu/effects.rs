@@ -23,7 +23,7 @@ fn settings(effects: Effects) -> Settings {
         height: SIZE,
         samples: Samples::One,
         variant: Variant {
-            lighting: Lighting::Corrected,
+            lighting: Lighting::CORRECTED,
             terms: Terms::ALL,
         },
         effects,

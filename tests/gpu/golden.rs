@@ -55,19 +55,19 @@ const SPECULAR: Terms = Terms {
 };
 
 const GOLDEN: &[Golden] = &[
-    golden("zoo_corrected", ZOO, Lighting::Corrected, Terms::ALL),
-    golden("zoo_specular", ZOO, Lighting::Corrected, SPECULAR),
+    golden("zoo_corrected", ZOO, Lighting::CORRECTED, Terms::ALL),
+    golden("zoo_specular", ZOO, Lighting::CORRECTED, SPECULAR),
     golden("zoo_phong", ZOO, Lighting::Phong, Terms::ALL),
     golden(
         "roughness_corrected",
         ROUGHNESS,
-        Lighting::Corrected,
+        Lighting::CORRECTED,
         Terms::ALL,
     ),
     golden("roughness_slides", ROUGHNESS, Lighting::Slides, Terms::ALL),
-    golden("crate", CRATE, Lighting::Corrected, Terms::ALL),
-    golden("shadow", SHADOW, Lighting::Corrected, Terms::ALL),
-    golden("alpha_mask", ALPHA_MASK, Lighting::Corrected, Terms::ALL),
+    golden("crate", CRATE, Lighting::CORRECTED, Terms::ALL),
+    golden("shadow", SHADOW, Lighting::CORRECTED, Terms::ALL),
+    golden("alpha_mask", ALPHA_MASK, Lighting::CORRECTED, Terms::ALL),
 ];
 
 fn kept_file(folder: &Path, name: &str) -> PathBuf {
@@ -296,7 +296,7 @@ fn the_crate_is_made_of_its_mtl() {
     let mut plain = scene.clone();
     plain.materials = vec![plain.materials[0].clone(); 2];
     let [with, without] = [&scene, &plain]
-        .map(|scene| with_gpu(|gpu| gpu.render(scene, SIZE, whole(Lighting::Corrected))));
+        .map(|scene| with_gpu(|gpu| gpu.render(scene, SIZE, whole(Lighting::CORRECTED))));
     let changed = with
         .pixels
         .iter()

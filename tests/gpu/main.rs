@@ -12,6 +12,7 @@ mod device;
 mod effects;
 mod golden;
 mod harness;
+mod ladders;
 mod patches;
 mod physics;
 mod records;

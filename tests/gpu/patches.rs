@@ -11,7 +11,8 @@ use umber::reference::shade::{self, Surface};
 use umber::render::{Picture, Variant};
 use umber::scene::{Ambient, Camera, Light, LightKind, Material, Mesh, Object, Projection, Scene};
 
-use crate::harness::Gpu;
+use crate::harness::{Gpu, with_gpu};
+use crate::tolerances;
 
 /// Pixels along a patch's side; the one compared is in its middle.
 const SIDE: u32 = 3;
@@ -164,6 +165,35 @@ impl Patches {
     }
 }
 
+/// Every pixel against its prediction; a failure prints what repeats it.
+pub fn assert_predicted(patches: &Patches, variant: Variant, tolerance: tolerances::Relative) {
+    let rendered = with_gpu(|gpu| patches.rendered(gpu, variant));
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for (i, got) in rendered.into_iter().enumerate() {
+        let want = patches.predicted(i, variant);
+        if !want.iter().all(|value| value.is_finite()) {
+            continue;
+        }
+        compared += 1;
+        for (got, want) in got.into_iter().zip(want) {
+            let share = tolerance.share(f64::from(got), want);
+            worst = worst.max(share);
+            assert!(
+                share <= 1.0,
+                "{variant}: {got:e} for {want:e}\nto_eye {:?}\n{:?}\nlights {:?}",
+                patches.to_eye,
+                patches.patches[i],
+                patches.lights
+            );
+        }
+    }
+    println!("{variant}: the worst pixel takes {worst:.3} of the tolerance");
+    assert!(
+        compared * 2 >= patches.patches.len(),
+        "{compared} cases are defined"
+    );
+}
+
 /// A point of a surface, widened to f64.
 pub fn surface(material: &Material, position: Vec3, normal: Vec3, to_eye: Vec3) -> Surface {
     Surface {
@@ -173,6 +203,7 @@ pub fn surface(material: &Material, position: Vec3, normal: Vec3, to_eye: Vec3) 
         albedo: wide(material.albedo),
         opacity: f64::from(material.opacity),
         f0: wide(material.f0),
+        metal: material.metal,
         roughness: f64::from(material.roughness),
         emission: wide(material.emission),
         shininess: f64::from(material.shininess),

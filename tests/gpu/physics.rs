@@ -6,7 +6,7 @@ use umber::render::Variant;
 use umber::scene::{Ambient, Light, LightKind, Projection};
 
 use crate::harness::{TERM_SETS, with_gpu};
-use crate::patches::{DARK, Patch, Patches, material, towards};
+use crate::patches::{DARK, Patch, Patches, assert_predicted, material, towards};
 use crate::tolerances;
 
 const ROUGHNESSES: [f32; 6] = [0.1, 0.2, 0.35, 0.5, 0.75, 1.0];
@@ -36,35 +36,6 @@ fn cases(to_eye: Vec3, degrees: f32) -> Vec<Patch> {
             })
     };
     ROUGHNESSES.into_iter().flat_map(rough).collect()
-}
-
-/// Every pixel against its prediction; a failure prints what repeats it.
-fn assert_predicted(patches: &Patches, variant: Variant, tolerance: tolerances::Relative) {
-    let rendered = with_gpu(|gpu| patches.rendered(gpu, variant));
-    let (mut compared, mut worst) = (0, 0.0_f64);
-    for (i, got) in rendered.into_iter().enumerate() {
-        let want = patches.predicted(i, variant);
-        if !want.iter().all(|value| value.is_finite()) {
-            continue;
-        }
-        compared += 1;
-        for (got, want) in got.into_iter().zip(want) {
-            let share = tolerance.share(f64::from(got), want);
-            worst = worst.max(share);
-            assert!(
-                share <= 1.0,
-                "{variant}: {got:e} for {want:e}\nto_eye {:?}\n{:?}\nlights {:?}",
-                patches.to_eye,
-                patches.patches[i],
-                patches.lights
-            );
-        }
-    }
-    println!("{variant}: the worst pixel takes {worst:.3} of the tolerance");
-    assert!(
-        compared * 2 >= patches.patches.len(),
-        "{compared} cases are defined"
-    );
 }
 
 fn variants() -> impl Iterator<Item = Variant> {

@@ -94,7 +94,7 @@ fn render(scene: &Scene, shadow: bool) -> Picture {
         height: SIZE.1,
         samples: Samples::One,
         variant: Variant {
-            lighting: Lighting::Corrected,
+            lighting: Lighting::CORRECTED,
             terms: Terms::ALL,
         },
         effects: Effects::default(),

@@ -60,7 +60,7 @@ fn light_eye_and_normal_in_one_line_make_a_nan() {
             let patches = one_patch(direction, direction, direction, 0.5);
             nan += usize::from(red(gpu, &patches, Lighting::Slides, DIFFUSE).is_nan());
             count += 1;
-            let corrected = patches.rendered(gpu, whole(Lighting::Corrected))[0];
+            let corrected = patches.rendered(gpu, whole(Lighting::CORRECTED))[0];
             assert!(
                 corrected.iter().all(|value| value.is_finite()),
                 "{direction:?}"
@@ -87,7 +87,7 @@ fn roughness_0_at_the_mirrors_peak_makes_an_infinity() {
             infinite += usize::from(value.is_infinite());
             nan += usize::from(value.is_nan());
             count += 1;
-            let corrected = patches.rendered(gpu, whole(Lighting::Corrected))[0];
+            let corrected = patches.rendered(gpu, whole(Lighting::CORRECTED))[0];
             assert!(
                 corrected.iter().all(|value| value.is_finite()),
                 "{normal:?}"
@@ -115,7 +115,7 @@ fn light_along_the_normal_is_wrong_and_finite_where_nan_is_dropped() {
                 undefined += usize::from(!value.is_finite());
                 count += 1;
                 let corrected = Variant {
-                    lighting: Lighting::Corrected,
+                    lighting: Lighting::CORRECTED,
                     terms: DIFFUSE,
                 };
                 let got = f64::from(patches.rendered(gpu, corrected)[0][0]);

@@ -155,7 +155,7 @@ fn a_sphere_that_is_turned_and_stretched_has_the_normals_of_an_ellipsoid() {
             Vec3::new(0.1, -0.1, 0.4),
         );
         let variant = Variant {
-            lighting: Lighting::Corrected,
+            lighting: Lighting::CORRECTED,
             terms: Terms::ALL,
         };
         // Where the longest half-axis ends: the shortest, squared, over it.

@@ -132,6 +132,7 @@ fn more_inputs_than_a_dispatch_takes_are_answered_in_order() -> Outcome {
                 f0: i as f32 / 300_000.0,
                 eye: [0.0, 1.0, 0.0],
                 place: 0,
+                extra: [0.0; 4],
             })
             .collect();
         let results = probe.at(&inputs)?;

@@ -54,7 +54,7 @@ fn no_pixel_of_a_sample_scene_is_nan_infinite_or_negative() {
         let scene = load(&name);
         assert!(scene.warnings.is_empty(), "{name}: {:?}", scene.warnings);
         for samples in [Samples::One, Samples::Four] {
-            let corrected = whole(Lighting::Corrected);
+            let corrected = whole(Lighting::CORRECTED);
             let (picture, _) =
                 with_gpu(|gpu| gpu.render_at(&scene, (480, 270), samples, corrected));
             assert_eq!(picture.defects(), Defects::default(), "{name}, {samples:?}");
@@ -136,7 +136,7 @@ fn the_three_builds_of_a_sample_scene_are_the_same_picture() {
                     width: 160,
                     height: 90,
                     samples: Samples::One,
-                    variant: whole(Lighting::Corrected),
+                    variant: whole(Lighting::CORRECTED),
                     effects,
                 };
                 gpu.render_with(&scene, &settings).0

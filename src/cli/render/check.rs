@@ -3,7 +3,6 @@
 use crate::cli::exit::{Exit, Failure};
 use crate::cli::options::count;
 use crate::cli::output::talk;
-use crate::interface::ProbeInput;
 use crate::render::{Defect, Defects};
 use crate::studies::stability::{BadPixel, Cause};
 
@@ -85,15 +84,7 @@ fn line(pixel: &BadPixel) -> String {
 
 /// What makes the value again, by itself.
 fn command(cause: &Cause) -> String {
-    let ProbeInput {
-        normal,
-        light,
-        eye,
-        roughness,
-        f0,
-        ..
-    } = cause.input;
-    let numbers = [&normal[..], &light, &eye, &[roughness, f0]].concat();
+    let numbers = cause.function.numbers(&cause.input);
     // The shortest digits that tell a float from its neighbours.
     let numbers: Vec<_> = numbers.iter().map(|x| format!("{x:?}")).collect();
     let name = cause.function.name;
@@ -112,13 +103,14 @@ mod tests {
             light_degrees: 0.0,
             eye_degrees: 90.0,
             function: Function::of_name("slides-oren-nayar").expect("it is there"),
-            input: ProbeInput {
+            input: crate::interface::ProbeInput {
                 normal: [0.0, 1.0, 0.0],
                 roughness: 0.5,
                 light: [0.0, 1.0, 0.0],
                 f0: 1e-10,
                 eye: [1.0, 0.0, -0.0],
                 place: 3,
+                extra: [0.0; 4],
             },
             value: f32::NAN,
         };

@@ -2,14 +2,14 @@
 
 use super::super::draw_list::Draw;
 use super::super::effects::{EffectSet, Effects};
-use super::super::records;
 use super::super::renderer::{RenderError, Renderer};
-use super::super::scene_buffers::SceneBuffers;
+use super::super::scene_buffers::{Look, SceneBuffers};
 use super::super::shadow_maps::ShadowMaps;
 use super::super::uploaded::Uploaded;
 use crate::gpu::DescriptorSet;
 use crate::interface;
 use crate::interface::reflected::constants;
+use crate::reference::ladders::Mix;
 use crate::scene::Scene;
 
 /// A scene on the device, in the order in which it is drawn.
@@ -83,16 +83,18 @@ impl Records {
         aspect: f32,
         allowed: EffectSet,
     ) -> Result<Self, RenderError> {
-        let effects = Effects {
-            allowed,
-            ..Effects::default()
+        let look = Look {
+            effects: Effects {
+                allowed,
+                ..Effects::default()
+            },
+            mix: Mix::CORRECTED,
         };
         let shadows = ShadowMaps::new(uploaded.scene, &uploaded.list, aspect, |_| false)?;
-        let buffers = SceneBuffers::new(&renderer.device, uploaded, aspect, &effects, &shadows)
+        let buffers = SceneBuffers::new(renderer, uploaded, aspect, &look, &shadows)
             .map_err(RenderError::of_scene)?;
         let materials = uploaded.scene.materials.iter();
-        let record =
-            |material| records::material(material, effects.material_bits(material), &uploaded.maps);
+        let record = |material| look.record(material, &uploaded.maps);
         Ok(Self {
             set: buffers.set(renderer, None, &uploaded.maps)?,
             materials: materials.map(record).collect(),

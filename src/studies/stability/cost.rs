@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::cases::CASES;
 use crate::gpu::{Device, Error};
-use crate::math::statistics::{median, paired_ratio};
-use crate::render::library::{Function, NOTHING, Tier};
-use crate::render::probe::{Probe, ProbeClock};
+use crate::render::library::{Function, Tier};
+use crate::render::probe::Probe;
 use crate::report::{CostRow, Interval95};
+use crate::studies::clocks::times;
 
 /// Each function, and the listing that it stands for.
 const PAIRS: [(&str, &str); 2] = [
@@ -17,10 +17,6 @@ const PAIRS: [(&str, &str); 2] = [
 
 /// Inputs above the surface, evaluated in turn.
 const INPUTS: usize = 1 << 16;
-/// Inputs of each invocation, each evaluated 16 times: some 8 million evaluations a sample.
-const REPEATS: u32 = 8;
-/// Samples of each form, taken in turn.
-const ROUNDS: usize = 21;
 
 /// The costs of all safe forms, net of reading inputs and writing results.
 ///
@@ -43,46 +39,20 @@ fn of_pair(
     safe: &'static Function,
     listing: &'static Function,
 ) -> Result<Vec<CostRow>, Error> {
-    let probe = |function, tier| Probe::new(device, function, tier);
-    let mut probes = vec![probe(&NOTHING, Tier::F32)?, probe(listing, Tier::F32)?];
+    let mut probes = vec![Probe::new(device, listing, Tier::F32)?];
     for tier in safe.tiers {
-        probes.push(probe(safe, *tier)?);
+        probes.push(Probe::new(device, safe, *tier)?);
     }
     // The first case: light and eye anywhere above the surface.
-    let inputs = CASES[0].inputs(1, INPUTS);
-    let clock = |probe| Probe::clock(probe, &inputs, REPEATS);
-    let clocks: Vec<ProbeClock> = probes.iter().map(clock).collect::<Result<_, _>>()?;
-    // The first dispatch compiles.
-    clocks.iter().try_for_each(|clock| clock.ns().map(|_| ()))?;
-    let mut samples = vec![Vec::new(); clocks.len()];
-    for _ in 0..ROUNDS {
-        for (clock, samples) in clocks.iter().zip(&mut samples) {
-            samples.push(clock.ns()?);
-        }
-    }
-    let net = |form: usize| -> Vec<f64> {
-        let nothing = samples[0].iter();
-        samples[form]
-            .iter()
-            .zip(nothing)
-            .map(|(a, b)| a - b)
-            .collect()
-    };
-    let of_listing = net(1);
+    let times = times(device, &probes, &CASES[0].inputs(1, INPUTS))?;
     let rows = safe.tiers.iter().enumerate().filter_map(|(i, tier)| {
-        let own = net(2 + i);
-        let pairs: Vec<_> = own
-            .iter()
-            .copied()
-            .zip(of_listing.iter().copied())
-            .collect();
-        let ratio = paired_ratio(&pairs)?;
+        let ratio = times.ratio(1 + i, 0)?;
         Some(CostRow {
             function: safe.name.to_owned(),
             tier: tier.name().to_owned(),
             listing: listing.name.to_owned(),
-            ns: median(&own)?,
-            listing_ns: median(&of_listing)?,
+            ns: times.of(1 + i)?,
+            listing_ns: times.of(0)?,
             relative: ratio.estimate,
             relative_95: Interval95::from(ratio),
         })

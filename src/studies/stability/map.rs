@@ -41,6 +41,7 @@ pub fn map(
             inputs.extend(std::iter::repeat_with(one).take(INPUTS));
         }
     }
+    super::with_extra(function, &mut inputs, seed);
     let results = probe.at(&inputs)?;
     let pairs: Vec<_> = inputs.into_iter().zip(results).collect();
     let cells: Vec<Judgement> = pairs

@@ -80,7 +80,7 @@ impl Study {
     /// # Errors
     /// There is no memory, or the driver fails.
     pub fn case(&self, case: &Case, progress: &dyn Fn(u64)) -> Result<StabilityRow, Error> {
-        let inputs = case.inputs(self.amount.seed, self.amount.case);
+        let inputs = self.inputs(case);
         let results = self.probe.at(&inputs)?;
         let mut judgement = Judgement::default();
         for pair in inputs.into_iter().zip(results) {
@@ -96,7 +96,7 @@ impl Study {
         if !self.function.is_listing {
             return Vec::new();
         }
-        let inputs = case.inputs(self.amount.seed, self.amount.case);
+        let inputs = self.inputs(case);
         let rows = Reading::ALL.into_iter().map(|reading| {
             let mut judgement = Judgement::default();
             for input in &inputs {
@@ -141,7 +141,7 @@ impl Study {
             return Ok(None);
         }
         let (probe, truth, seed) = (&self.probe, &self.truth, self.amount.seed);
-        let judgement = search::search(probe, truth, self.tier, seed, progress)?;
+        let judgement = search::search(probe, truth, (self.function, self.tier), seed, progress)?;
         Ok(Some(self.row("search", &judgement)))
     }
 
@@ -152,6 +152,13 @@ impl Study {
     pub fn map(&self) -> Result<BitsMap, Error> {
         let what = (self.function, self.tier);
         map::map(&self.probe, &self.truth, what, self.amount.seed)
+    }
+
+    /// A case's inputs, with what the function takes beside.
+    fn inputs(&self, case: &Case) -> Vec<ProbeInput> {
+        let mut inputs = case.inputs(self.amount.seed, self.amount.case);
+        with_extra(self.function, &mut inputs, self.amount.seed);
+        inputs
     }
 
     fn drawn(
@@ -193,9 +200,20 @@ impl Study {
             max_of_bound: (judgement.judged > 0).then_some(judgement.of_bound),
             max_ulp: (judgement.judged > 0).then_some(judgement.largest_ulp),
             max_bits_lost: (judgement.judged > 0).then(|| judgement.bits_lost()),
-            worst_input: judgement.worst.as_ref().map(told),
+            worst_input: judgement
+                .worst
+                .as_ref()
+                .map(|worst| told(self.function, worst)),
             held: !self.function.is_listing,
         }
+    }
+}
+
+/// Draws what a function takes beside, for inputs that were made without it.
+fn with_extra(function: &Function, inputs: &mut [ProbeInput], seed: u64) {
+    let mut rng = fastrand::Rng::with_seed(seed);
+    for input in inputs {
+        input.extra = function.extra_at([(); 4].map(|()| rng.f32()));
     }
 }
 
@@ -227,11 +245,8 @@ fn counted(value: f32) -> ProbeResult {
 }
 
 /// An input in decimal, and as the bits that repeat it.
-fn told(input: &ProbeInput) -> String {
-    let vectors = [input.normal, input.light, input.eye];
-    let numbers: Vec<f32> = (vectors.into_iter().flatten())
-        .chain([input.roughness, input.f0])
-        .collect();
+fn told(function: &Function, input: &ProbeInput) -> String {
+    let numbers = function.numbers(input);
     let decimal: Vec<String> = numbers.iter().map(f32::to_string).collect();
     let bits = numbers.iter().map(|x| format!("{:08x}", x.to_bits()));
     let bits: Vec<String> = bits.collect();

@@ -2,6 +2,7 @@
 
 use crate::gpu::Samples;
 use crate::interface::ProbeInput;
+use crate::reference::ladders::{Diffuse, Specular};
 use crate::reference::shade::Lighting;
 use crate::render::library::{Function, Tier};
 use crate::render::probe::Probe;
@@ -98,12 +99,32 @@ pub fn bad_pixels(
 
 /// What a lamp's light is multiplied with.
 fn functions(lighting: Lighting) -> impl Iterator<Item = &'static Function> {
-    let names: &[&str] = match lighting {
-        Lighting::Phong => &[],
-        Lighting::Slides => &["slides-oren-nayar", "slides-cook-torrance"],
-        Lighting::Corrected => &["corrected"],
+    let names = match lighting {
+        Lighting::Phong => vec![],
+        Lighting::Slides => vec!["slides-oren-nayar", "slides-cook-torrance"],
+        Lighting::CORRECTED => vec!["corrected"],
+        Lighting::Mixed(mix) => vec![of_diffuse(mix.diffuse), of_specular(mix.specular)],
     };
-    names.iter().filter_map(|name| Function::of_name(name).ok())
+    names
+        .into_iter()
+        .filter_map(|name| Function::of_name(name).ok())
+}
+
+/// What the library calls a base.
+fn of_diffuse(tier: Diffuse) -> &'static str {
+    match tier {
+        Diffuse::Qon => "oren-nayar",
+        Diffuse::Slides => "slides-oren-nayar",
+        other => other.name(),
+    }
+}
+
+/// What it calls facets.
+fn of_specular(tier: Specular) -> &'static str {
+    match tier {
+        Specular::Slides => "slides-cook-torrance",
+        other => other.name(),
+    }
 }
 
 fn cause(light: &str, function: &'static Function, input: ProbeInput, value: f32) -> Cause {

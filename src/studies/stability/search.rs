@@ -6,7 +6,7 @@ use super::judge::Judgement;
 use super::truth::Truth;
 use crate::gpu::Error;
 use crate::interface::ProbeInput;
-use crate::render::library::Tier;
+use crate::render::library::{Function, Tier};
 use crate::render::probe::{Chance, Probe};
 
 /// Inputs from which it climbs at once: enough that one hill does not decide.
@@ -30,7 +30,7 @@ type Found = (ProbeInput, f64);
 pub fn search(
     probe: &Probe,
     truth: &Truth,
-    tier: Tier,
+    (function, tier): (&Function, Tier),
     seed: u64,
     progress: &dyn Fn(u64),
 ) -> Result<Judgement, Error> {
@@ -46,7 +46,9 @@ pub fn search(
             let input = *input;
             (0..TRIES).map(move |_| input)
         });
-        let steps: Vec<_> = steps.map(|input| stepped(input, &mut rng)).collect();
+        let steps: Vec<_> = steps
+            .map(|input| stepped(function, input, &mut rng))
+            .collect();
         progress(steps.len() as u64);
         let found = evaluated(probe, truth, tier, steps, &mut judgement)?;
         front = best(front.into_iter().chain(found).collect());
@@ -82,16 +84,21 @@ fn best(mut found: Vec<Found>) -> Vec<Found> {
 }
 
 /// The input with one or two of its floats moved.
-fn stepped(input: ProbeInput, rng: &mut Rng) -> ProbeInput {
+fn stepped(function: &Function, input: ProbeInput, rng: &mut Rng) -> ProbeInput {
     let mut input = input;
     for _ in 0..rng.u32(1..=2) {
-        let place = rng.usize(0..11);
+        let place = rng.usize(0..function.columns().len());
         let float = match place {
             0..3 => &mut input.normal[place],
             3..6 => &mut input.light[place - 3],
             6..9 => &mut input.eye[place - 6],
             9 => &mut input.roughness,
-            _ => &mut input.f0,
+            10 => &mut input.f0,
+            _ => &mut input.extra[place - 11],
+        };
+        let (low, high) = match place {
+            0..11 => (-1.0, 1.0),
+            _ => function.extra[place - 11].range,
         };
         let step = 1_u32 << rng.u32(0..BITS);
         let bits = float.to_bits();
@@ -101,7 +108,7 @@ fn stepped(input: ProbeInput, rng: &mut Rng) -> ProbeInput {
             bits.saturating_sub(step)
         };
         let moved = f32::from_bits(moved);
-        if moved.abs() <= 1.0 {
+        if (low..=high).contains(&moved) {
             *float = moved;
         }
     }
@@ -122,14 +129,17 @@ mod tests {
             f0: 1.0,
             eye: [0.0, -0.8, 0.6],
             place: 0,
+            extra: [0.5; 4],
         };
         let first = input;
+        let function = Function::of_name("conductor-f").expect("it is there");
         for _ in 0..10_000 {
-            input = stepped(input, &mut rng);
+            input = stepped(function, input, &mut rng);
             let numbers = [input.normal, input.light, input.eye].concat();
             assert!(numbers.iter().all(|x| x.abs() <= 1.0), "{input:?}");
             assert!((0.0..=1.0).contains(&input.roughness), "{input:?}");
             assert!((0.0..=1.0).contains(&input.f0), "{input:?}");
+            assert!(function.takes_extra_of(&input), "{input:?}");
         }
         assert_ne!(input, first);
     }

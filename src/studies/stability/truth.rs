@@ -4,8 +4,8 @@ use glam::Vec3;
 
 use crate::interface::ProbeInput;
 use crate::reference::beckmann;
-use crate::reference::given::{self, Given};
-use crate::render::library::{Function, Tier};
+use crate::reference::given::{self, Given, diffuse, fresnel, specular};
+use crate::render::library::{Function, Shape, Tier};
 
 /// Cosines below it are beyond what is promised.
 const LEAST_COSINE: f64 = 1.0e-6;
@@ -17,104 +17,163 @@ const LEAST_HALF_F0: f32 = 1.0e-3;
 const LEAST_ROUGHNESS: f64 = 1.0e-4;
 /// Nothing is promised where a lobe is below 1e-6 of its peak: -ln(1e-6).
 const LARGEST_EXPONENT: f64 = 13.815_510_557_964_274;
+/// Of terms that cancel to less than this share of themselves nothing is promised.
+const LEAST_LEFT: f64 = 1.0e-3;
+/// Of clear stuffs: diamond has 0.17.
+const DIELECTRIC_F0: std::ops::RangeInclusive<f64> = 1.0e-6..=0.2;
 /// A length's square this far from 1 is no unit vector's: what rounding leaves is 4e-7 at most.
 const UNIT: f64 = 1.0e-6;
 
 /// The truth of a function, and what is promised of its value.
 pub struct Truth {
-    /// The value in f64.
-    value: fn(&Given, f64, f64) -> f64,
-    /// Which roughness the lobe has at one of the input's, if it is a lobe with a peak.
-    width: Option<fn(f64) -> f64>,
-    /// Whether cosines matter.
-    cosines: bool,
+    function: &'static Function,
+    value: Value,
 }
+
+/// The value in f64 at vectors, and at the numbers of an input.
+type Value = fn(&Given, &ProbeInput) -> f64;
 
 impl Truth {
     /// That of a function; the slides' listings are held against their own formulas.
-    pub fn of(function: &Function) -> Self {
-        let lobe = |value| Self {
-            value,
-            width: Some(|m| m.max(LEAST_ROUGHNESS)),
-            cosines: true,
+    pub fn of(function: &'static Function) -> Self {
+        let value: Value = match function.name {
+            "oren-nayar" => |at, to| given::conserving_oren_nayar(at, sigma(to)),
+            "slides-oren-nayar" => |at, to| given::oren_nayar(at, sigma(to)),
+            "cook-torrance" => |at, to| given::cook_torrance(at, width(to), f0(to)),
+            "slides-cook-torrance" => |at, to| given::slides_cook_torrance(at, sigma(to), f0(to)),
+            "beckmann-d" => |at, to| given::beckmann_d(at, width(to)),
+            "v-cavity-g" => |at, _| given::v_cavity_g(at),
+            "schlick-f" => |at, to| given::schlick_f(at, f0(to)),
+            "lambert" => |at, _| diffuse::lambert(at),
+            "fon" => |at, to| diffuse::fujii(at, sigma(to)),
+            "eon" => |at, to| diffuse::eon(at, sigma(to), extra(to)[0]),
+            "full-oren-nayar" => |at, to| diffuse::full_oren_nayar(at, sigma(to), extra(to)[0]),
+            "blinn-phong" => |at, to| specular::blinn_phong(at, width(to), f0(to)),
+            "beckmann-smith" => |at, to| specular::beckmann_smith_rational(at, width(to), f0(to)),
+            "beckmann-smith-exact" => |at, to| specular::beckmann_smith(at, width(to), f0(to)),
+            "ggx" => |at, to| specular::ggx(at, width(to), f0(to)),
+            "ggx-multi" => |at, to| specular::ggx_multi(at, width(to), f0(to)),
+            "f82-f" => |at, to| fresnel::f82(at, f0(to), extra(to)[0]),
+            "dielectric-f" => |at, to| fresnel::dielectric(at, f0(to)),
+            "conductor-f" => |at, to| fresnel::conductor(at, extra(to)[0], extra(to)[1]),
+            "spectral-f" => |at, to| fresnel::spectral(at, f0(to), extra(to)),
+            _ => |at, to| given::corrected(at, sigma(to), f0(to)),
         };
-        let plain = |value, cosines| Self {
-            value,
-            width: None,
-            cosines,
-        };
-        match function.name {
-            "oren-nayar" => plain(|at, sigma, _| given::conserving_oren_nayar(at, sigma), true),
-            "slides-oren-nayar" => plain(|at, sigma, _| given::oren_nayar(at, sigma), true),
-            "cook-torrance" => lobe(|at, m, f0| given::cook_torrance(at, at_least(m), f0)),
-            "slides-cook-torrance" => lobe(given::slides_cook_torrance),
-            "beckmann-d" => lobe(|at, m, _| given::beckmann_d(at, at_least(m))),
-            "v-cavity-g" => plain(|at, _, _| given::v_cavity_g(at), true),
-            "schlick-f" => plain(|at, _, f0| given::schlick_f(at, f0), false),
-            _ => Self {
-                value: given::corrected,
-                width: Some(|m| beckmann::under_disc(m, 0.0)),
-                cosines: true,
-            },
-        }
+        Self { function, value }
     }
 
     /// Whether it is a lobe with a peak.
     pub fn has_peak(&self) -> bool {
-        self.width.is_some()
+        matches!(self.function.shape, Shape::Lobe | Shape::Clamped)
     }
 
     /// The value at an input.
     pub fn at(&self, input: &ProbeInput) -> f64 {
-        (self.value)(&seen(input), input.roughness.into(), input.f0.into())
+        (self.value)(&seen(input), input)
     }
 
     /// How far from it a value may be, relative; `None` where nothing is promised.
     pub fn bound(&self, tier: Tier, input: &ProbeInput) -> Option<f64> {
         let at = seen(input);
-        let vectors = input.vectors();
-        let unit = |v: &Vec3| (v.as_dvec3().length_squared() - 1.0).abs() <= UNIT;
-        let roughness = f64::from(input.roughness);
-        // A device may take such an f0 for 0, and if not, its product has few bits left.
-        if input.f0.is_subnormal() {
+        if !self.is_within(tier, input, &at) {
             return None;
         }
-        if !vectors.iter().all(unit) || !(0.0..=1.0).contains(&roughness) {
-            return None;
-        }
-        if tier == Tier::F16 && input.f0 < LEAST_HALF_F0 && !self.cosines {
-            return None;
-        }
-        let c = match self.cosines {
-            true => at.least_cosine().min(1.0),
-            false => 1.0,
+        let c = match self.function.shape {
+            Shape::Flat => 1.0,
+            Shape::Cosines | Shape::Lobe | Shape::Clamped => at.least_cosine().min(1.0),
         };
-        let m = self.width.map(|width| width(roughness));
-        let far = m.is_some_and(|m| {
-            roughness < LEAST_ROUGHNESS || at.beckmann_exponent(m) > LARGEST_EXPONENT
+        let bound = match (tier, self.width(input)) {
+            (Tier::F16, _) if self.function.shape == Shape::Flat => 5.0e-3,
+            (Tier::F16, _) => 2.0e-3 + 1.0e-3 / c,
+            (Tier::F32, None) => 2.0e-6 + 2.0e-7 / c,
+            (Tier::F32, Some(m)) => 1.0e-6 / m + 3.0e-6 / c,
+            (Tier::F32Compensated, None) => 2.0e-6,
+            (Tier::F32Compensated, Some(_)) => 1.0e-5,
+        };
+        Some(self.looseness() * bound * self.cancelled(&at, input)?)
+    }
+
+    /// What a function's longer way of rounding adds.
+    fn looseness(&self) -> f64 {
+        match self.function.name {
+            // Amplitudes are squared twice.
+            "dielectric-f" | "conductor-f" => 4.0,
+            // A cube root and a logarithm find its place in the table.
+            "ggx-multi" => 2.0,
+            _ => 1.0,
+        }
+    }
+
+    /// Whether accuracy is promised there.
+    fn is_within(&self, tier: Tier, input: &ProbeInput, at: &Given) -> bool {
+        let unit = |v: &Vec3| (v.as_dvec3().length_squared() - 1.0).abs() <= UNIT;
+        let unit = input.vectors().iter().all(unit);
+        // A device may take such an f0 for 0, and if not, its product has few bits left.
+        if !unit || input.f0.is_subnormal() || !(0.0..=1.0).contains(&input.roughness) {
+            return false;
+        }
+        if !self.function.takes_extra_of(input) || !self.takes_f0(f0(input)) {
+            return false;
+        }
+        if self.function.shape == Shape::Flat {
+            return tier != Tier::F16 || input.f0 >= LEAST_HALF_F0;
+        }
+        let far = self.width(input).is_some_and(|m| {
+            f64::from(input.roughness) < LEAST_ROUGHNESS
+                || at.beckmann_exponent(m) > LARGEST_EXPONENT
         });
         let least = match tier {
             Tier::F16 => LEAST_HALF_COSINE,
             Tier::F32 | Tier::F32Compensated => LEAST_COSINE,
         };
-        if c < least || far {
-            return None;
+        at.least_cosine() >= least && !far
+    }
+
+    /// Whether accuracy is promised for an f0: Fresnel's own curve asks for 1 - sqrt(f0), of which a metal's f0 leaves few digits.
+    fn takes_f0(&self, f0: f64) -> bool {
+        self.function.name != "dielectric-f" || f0 == 0.0 || DIELECTRIC_F0.contains(&f0)
+    }
+
+    /// Which roughness the lobe has at the input's, if it is a lobe with a peak.
+    fn width(&self, input: &ProbeInput) -> Option<f64> {
+        match self.function.shape {
+            Shape::Flat | Shape::Cosines => None,
+            Shape::Lobe => Some(width(input)),
+            Shape::Clamped => Some(beckmann::under_disc(sigma(input), 0.0)),
         }
-        Some(match (tier, m) {
-            (Tier::F16, _) => match self.cosines {
-                true => 2.0e-3 + 1.0e-3 / c,
-                false => 5.0e-3,
-            },
-            (Tier::F32, None) => 2.0e-6 + 2.0e-7 / c,
-            (Tier::F32, Some(m)) => 1.0e-6 / m + 2.0e-6 / c,
-            (Tier::F32Compensated, None) => 2.0e-6,
-            (Tier::F32Compensated, Some(_)) => 1.0e-5,
-        })
+    }
+
+    /// The sum of a value's terms without their signs over the value: what is left of a difference has that much more of the
+    /// terms' error. `None` where less than a thousandth is left.
+    fn cancelled(&self, at: &Given, input: &ProbeInput) -> Option<f64> {
+        let terms = match self.function.name {
+            "fon" => diffuse::fujii_terms(at, sigma(input)),
+            "eon" => diffuse::eon_terms(at, sigma(input), extra(input)[0]),
+            "full-oren-nayar" => diffuse::full_oren_nayar_terms(at, sigma(input), extra(input)[0]),
+            "f82-f" => fresnel::f82_terms(at, f0(input), extra(input)[0]),
+            "spectral-f" => fresnel::spectral_terms(at, f0(input), extra(input)),
+            _ => return Some(1.0),
+        };
+        let value = self.at(input);
+        (value >= LEAST_LEFT * terms).then(|| terms / value.max(f64::MIN_POSITIVE))
     }
 }
 
-fn at_least(m: f64) -> f64 {
-    m.max(LEAST_ROUGHNESS)
+fn sigma(input: &ProbeInput) -> f64 {
+    input.roughness.into()
+}
+
+/// The width of a lobe, which stops where accuracy does.
+fn width(input: &ProbeInput) -> f64 {
+    sigma(input).max(LEAST_ROUGHNESS)
+}
+
+fn f0(input: &ProbeInput) -> f64 {
+    input.f0.into()
+}
+
+fn extra(input: &ProbeInput) -> [f64; 4] {
+    input.extra.map(f64::from)
 }
 
 fn seen(input: &ProbeInput) -> Given {

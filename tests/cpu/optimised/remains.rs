@@ -325,7 +325,12 @@ impl<'a> Ids<'a> {
             return format!("%{}", self.seen.entry(word).or_insert(next));
         };
         let mut text = format!("({}", one.opcode);
-        if let Some(name) = self.names.get(word).filter(|name| !name.is_empty()) {
+        // Constants of one value are one, whichever of them it is named after.
+        let names = match one.opcode {
+            "OpConstant" => None,
+            _ => self.names.get(word),
+        };
+        if let Some(name) = names.filter(|name| !name.is_empty()) {
             text.push_str(&format!(" {name}"));
         }
         for word in one.operands.split(' ').filter(|word| !word.is_empty()) {

@@ -170,19 +170,19 @@ fn an_exr_is_the_librarys_picture_to_the_bit() -> Tested {
             "specular,diffuse,ambient",
         ),
         (
-            Lighting::Corrected,
+            Lighting::CORRECTED,
             "corrected",
             Terms::ALL,
             "ambient,diffuse,specular",
         ),
         (
-            Lighting::Corrected,
+            Lighting::CORRECTED,
             "corrected",
             terms(true, false, false),
             "ambient",
         ),
         (
-            Lighting::Corrected,
+            Lighting::CORRECTED,
             "corrected",
             terms(false, true, false),
             "diffuse",
@@ -222,7 +222,7 @@ fn an_exr_is_the_librarys_picture_to_the_bit() -> Tested {
 #[test]
 fn exposure_and_tone_mapping_change_a_png_and_no_exr() -> Tested {
     let place = Place::new()?;
-    let picture = library(&place, &[], Samples::Four, whole(Lighting::Corrected));
+    let picture = library(&place, &[], Samples::Four, whole(Lighting::CORRECTED));
     let cases: [(&[&str], f32, ToneMapping); 5] = [
         (&[], 0.0, ToneMapping::Neutral),
         (&["--exposure", "-1.5"], -1.5, ToneMapping::Neutral),

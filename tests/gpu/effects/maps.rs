@@ -69,7 +69,7 @@ fn normals() -> Vec<Vec3> {
 /// Draws two scenes of one size and asserts that each value of the first is that of the second.
 fn assert_pixels(scenes: [Scene; 2], size: (u32, u32), what: &str) {
     let [got, want] =
-        scenes.map(|scene| with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::Corrected))));
+        scenes.map(|scene| with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::CORRECTED))));
     let want = want.pixels.as_flattened().iter();
     for (got, want) in got.pixels.as_flattened().iter().zip(want) {
         let holds = MAPPED_PIXEL.holds(f64::from(*got), f64::from(*want));
@@ -168,7 +168,7 @@ fn an_occlusion_dims_what_comes_from_around_and_no_lamp() {
         if !lamps {
             scene.lights.clear();
         }
-        with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::Corrected)))
+        with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::CORRECTED)))
     };
     let textures = || vec![uniform(Slot::Occlusion, [0.2; 3])];
     let dark = Material {
@@ -201,7 +201,7 @@ fn an_alpha_mask_leaves_no_surface_below_its_cutoff() {
             &normals(),
             vec![uniform(Slot::AlphaMask, [value; 3])],
         );
-        let picture = with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::Corrected)));
+        let picture = with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::CORRECTED)));
         let covered = picture.pixels.iter().filter(|pixel| pixel[3] > 0.0).count();
         let want = if there { picture.pixels.len() } else { 0 };
         assert_eq!(covered, want, "{value} under {cutoff}");
@@ -303,7 +303,7 @@ fn a_normal_map_flattened_by_its_factor_is_the_plain_normal() {
     let (scene_flat, size) = scene(&flat, &normals(), textures);
     let (scene_plain, _) = scene(&base(), &normals(), Vec::new());
     let [got, want] = [scene_flat, scene_plain]
-        .map(|scene| with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::Corrected))));
+        .map(|scene| with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::CORRECTED))));
     assert!(got.max_difference(&want) < 1e-5);
 }
 
@@ -330,7 +330,7 @@ fn maps_of_three_sizes_are_each_found() {
     }
     scene.ambient = Ambient::default();
     scene.lights.clear();
-    let picture = with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::Corrected)));
+    let picture = with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::CORRECTED)));
     let mut seen: Vec<_> = picture.pixels.iter().map(|pixel| pixel[0]).collect();
     seen.retain(|value| *value > 0.0);
     seen.dedup();
@@ -354,7 +354,7 @@ fn a_map_lies_upright_and_repeats_as_often_as_it_should() {
     // One patch of 3 x 3 pixels: with 1.5 repeats each way its pixels lie in the middles of texels.
     mapped.maps.repeat = [1.5, 1.5];
     let (scene, size) = scene(&mapped, &[Vec3::Z], textures);
-    let picture = with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::Corrected)));
+    let picture = with_gpu(|gpu| gpu.render(&scene, size, whole(Lighting::CORRECTED)));
     let rows: Vec<Vec<f32>> = (0..3)
         .map(|y| (0..3).map(|x| picture.at(x, y)[0]).collect())
         .collect();

@@ -1,0 +1,34 @@
+//! How far is each tier from the truth that it stands for?
+//!
+//! Matte bases are held against Oren and Nayar's V-cavities, facets against the Smith microsurface of their slopes, both with every
+//! bounce; Fresnel terms against Fresnel's equations, of metals integrated over wavelength.
+
+mod diffuse;
+mod fit;
+mod fresnel;
+mod specular;
+
+use std::path::Path;
+
+use crate::render::Cache;
+use crate::report::ModelRow;
+
+/// Truths of the plan, for a bar.
+pub const TRUTHS: u64 = diffuse::TRUTHS + specular::TRUTHS;
+/// Draws the paths of all truths.
+pub const SEED: u64 = 1;
+/// Steps of a truth.
+pub use crate::reference::truth::STEPS;
+
+/// All rows. Truths come from `cache`, or are made and kept there. `progress` hears of each step, `told` of what was found damaged.
+pub fn errors(cache: &Cache, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
+    let mut rows = diffuse::rows(cache, progress);
+    rows.extend(specular::rows(cache, progress));
+    rows.extend(fresnel::rows());
+    rows
+}
+
+/// The folder of truths in a folder of caches.
+pub fn folder(caches: &Path) -> std::path::PathBuf {
+    caches.join("truths")
+}

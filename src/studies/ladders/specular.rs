@@ -1,0 +1,115 @@
+//! How far are the lobes of facets from the Smith microsurface of their slopes?
+
+use glam::DVec3;
+
+use super::SEED;
+use super::fit::{distance, noise};
+use crate::math::frame::spherical;
+use crate::math::quadrature::{GaussLegendre, half_vectors};
+use crate::reference::ladders::Specular;
+use crate::reference::truth::microsurface::{Facets, Microsurface, Slopes, truth};
+use crate::reference::truth::{GLOSSY, Truth};
+use crate::reference::{beckmann_smith, blinn_phong, cook_torrance, ggx, kulla_conty, slides};
+use crate::render::Cache;
+use crate::report::{ModelCase, ModelRow};
+
+/// Widths of the slopes.
+const ALPHAS: [f64; 3] = [0.25, 0.5, 1.0];
+/// Paths of each angle of the light: 0.3 % of statistical error.
+const PATHS: usize = 1 << 17;
+
+/// Truths that are needed.
+pub const TRUTHS: u64 = 2 * ALPHAS.len() as u64;
+
+/// A row for each tier.
+pub fn rows(cache: &Cache, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
+    let of = |slopes, name: &str| {
+        ALPHAS.map(|alpha| {
+            let parameters = format!("alpha {alpha}, mirrors, {PATHS} paths, seed {SEED}");
+            cache.get(&format!("smith-{name}-{alpha}"), &parameters, || {
+                let surface = Microsurface {
+                    slopes,
+                    alpha,
+                    facets: Facets::Mirror,
+                };
+                truth(&GLOSSY, surface, None, (PATHS, SEED), &|| progress(1))
+            })
+        })
+    };
+    let (ggx, beckmann) = (of(Slopes::Ggx, "ggx"), of(Slopes::Beckmann, "beckmann"));
+    let row = |tier| match tier {
+        Specular::Ggx | Specular::GgxMulti => row(tier, &ggx, "Smith walk, GGX"),
+        _ => row(tier, &beckmann, "Smith walk, Beckmann"),
+    };
+    Specular::ALL.into_iter().map(row).collect()
+}
+
+fn row(tier: Specular, truths: &[Truth], name: &str) -> ModelRow {
+    let case = |(alpha, truth): (&f64, &Truth)| {
+        let found = distance(&GLOSSY, truth, 0, |l, e| f(tier, l, e, *alpha));
+        ModelCase {
+            surface: format!("alpha {alpha}, F = 1"),
+            error_rms: found.rms,
+            error_max: found.largest,
+            refitted_rms: None,
+            truth_noise: noise(&GLOSSY, truth, 0),
+        }
+    };
+    ModelRow {
+        term: "specular".to_owned(),
+        tier: tier.name().to_owned(),
+        truth: name.to_owned(),
+        cases: ALPHAS.iter().zip(truths).map(case).collect(),
+        albedo_error_max: Some(albedo_error(tier)),
+        reciprocity_error_max: Some(reciprocity_error(tier)),
+    }
+}
+
+const N: DVec3 = DVec3::Z;
+
+/// f for F = 1.
+fn f(tier: Specular, l: DVec3, e: DVec3, alpha: f64) -> f64 {
+    let lobe = match tier {
+        Specular::BlinnPhong => blinn_phong::lobe(N, l, e, alpha),
+        Specular::CookTorrance => cook_torrance::lobe(N, l, e, alpha, DVec3::ONE).x,
+        Specular::BeckmannSmith => beckmann_smith::rational_lobe(N, l, e, alpha),
+        Specular::BeckmannSmithExact => beckmann_smith::lobe(N, l, e, alpha),
+        Specular::Ggx => ggx::lobe(N, l, e, alpha),
+        Specular::GgxMulti => {
+            ggx::lobe(N, l, e, alpha) + kulla_conty::lobe(N, l, e, alpha, DVec3::ONE).x
+        }
+        // Before light of illuminance over pi.
+        Specular::Slides => {
+            slides::cook_torrance::cook_torrance(N, l, e, alpha, 1.0) / std::f64::consts::PI
+        }
+    };
+    lobe / l.z
+}
+
+/// Over widths of 0.1 to 1 and angles up to 85 degrees.
+fn albedo_error(tier: Specular) -> f64 {
+    let rule = GaussLegendre::new(16);
+    let mut worst = 0.0_f64;
+    for alpha in [0.1, 0.25, 0.4, 0.6, 0.8, 1.0] {
+        for degrees in [0.0_f64, 30.0, 60.0, 75.0, 85.0] {
+            let e = spherical(degrees.to_radians(), 0.0);
+            let back = match tier {
+                Specular::Ggx => kulla_conty::albedo(e.z, alpha),
+                Specular::GgxMulti => {
+                    kulla_conty::albedo(e.z, alpha) + kulla_conty::TABLE.missing(e.z, alpha)
+                }
+                _ => half_vectors(&rule, N, e, alpha, |l| f(tier, l, e, alpha) * l.z),
+            };
+            worst = worst.max((back - 1.0).abs());
+        }
+    }
+    worst
+}
+
+fn reciprocity_error(tier: Specular) -> f64 {
+    let off = GLOSSY.cells().map(|(l, e)| {
+        let (there, back) = (f(tier, l, e, 0.5), f(tier, e, l, 0.5));
+        (back / there - 1.0).abs()
+    });
+    off.fold(0.0, f64::max)
+}
