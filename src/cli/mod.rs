@@ -2,10 +2,12 @@
 
 mod bench;
 mod devices;
+mod diff;
 mod doctor;
 mod effects;
 mod eval;
 mod exit;
+mod export;
 mod lighting;
 mod models;
 mod options;
@@ -30,7 +32,7 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 ok; 1 a comparison failed or a threshold was passed; 2 usage; 3 no suitable device or driver; \
-    4 a validation message; 5 the picture holds a NaN or an infinity; \
+    4 a validation message; 5 a picture holds a NaN or an infinity; \
     6 a file could not be read or written.\n\
     Data goes to stdout, everything else to stderr.";
 
@@ -48,6 +50,10 @@ enum Verb {
     Eval(eval::Arguments),
     /// Hold the tiers of the lighting models against the surfaces that they stand for
     Models(models::Arguments),
+    /// Say how far two pictures are apart, to a person and in numbers: PNG, EXR, HDR in any pairing
+    Diff(diff::Arguments),
+    /// Write the lighting functions in WGSL, HLSL, MSL or GLSL, for use elsewhere
+    Export(export::Arguments),
     /// List the Vulkan devices
     Devices(devices::Arguments),
     /// Say what Vulkan finds on this system, what is missing, and the line that mends it
@@ -77,6 +83,8 @@ pub fn run() -> ExitCode {
         Verb::Stability(arguments) => stability::run(&arguments),
         Verb::Eval(arguments) => eval::run(&arguments),
         Verb::Models(arguments) => models::run(&arguments),
+        Verb::Diff(arguments) => diff::run(&arguments),
+        Verb::Export(arguments) => export::run(&arguments),
         Verb::Devices(arguments) => devices::run(&arguments),
         Verb::Doctor => doctor::run(),
         Verb::Completions { shell } => {

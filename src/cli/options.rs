@@ -2,8 +2,11 @@
 
 use std::sync::Arc;
 
+use clap::ValueEnum;
+
 use crate::cli::exit::Failure;
 use crate::gpu::{self, Device, DeviceKind, DeviceSelector, Instance, Samples, Validation};
+use crate::render::ToneMapping;
 use crate::render::effects::{Build, EffectSet, Effects};
 
 /// `--device` and `--validation`.
@@ -36,6 +39,39 @@ pub fn device_selector(text: &str) -> Result<DeviceSelector, &'static str> {
     match text {
         "" => Err("it names no device"),
         text => Ok(DeviceSelector::parse(text)),
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ToneMappingArgument {
+    /// Cut off at white
+    None,
+    /// Khronos PBR Neutral
+    Neutral,
+}
+
+impl ToneMappingArgument {
+    /// The mapping that is meant.
+    pub fn mapping(self) -> ToneMapping {
+        match self {
+            Self::None => ToneMapping::None,
+            Self::Neutral => ToneMapping::Neutral,
+        }
+    }
+
+    /// The word on the command line.
+    pub fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+}
+
+/// EV at ISO 100.
+pub fn exposure(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        // Beyond it 2^EV leaves the range of f32.
+        Ok(ev) if ev.abs() <= 100.0 => Ok(ev),
+        _ => Err("it is a number from -100 to 100".into()),
     }
 }
 
@@ -138,6 +174,15 @@ mod tests {
             "0x8x8",
         ] {
             assert!(size(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn exposure_has_its_range() {
+        assert_eq!(exposure("-100"), Ok(-100.0));
+        assert_eq!(exposure("1e1"), Ok(10.0));
+        for text in ["", "nan", "inf", "-inf", "100.1", "ten"] {
+            assert!(exposure(text).is_err(), "{text}");
         }
     }
 

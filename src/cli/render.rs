@@ -10,13 +10,15 @@ use clap::ValueEnum;
 
 use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::lighting::LightingArguments;
-use crate::cli::options::{DeviceArgument, build, count, effects, samples, size, software};
+use crate::cli::options::{
+    DeviceArgument, ToneMappingArgument, build, count, effects, exposure, samples, size, software,
+};
 use crate::cli::output::{JsonArgument, Output, talk, write_json};
 use crate::gpu::{Device, DeviceKind, Samples};
 use crate::reference::shade::Terms;
 use crate::render::effects::{Build, Effects};
 use crate::render::{
-    self, Defects, FrameReport, Picture, PictureFormat, Renderer, Settings, ToneMapping, Variant,
+    self, Defects, FrameReport, Picture, PictureFormat, Renderer, Settings, Variant,
     exposure_factor,
 };
 use crate::report::{Image, Program, RenderReport, SceneSize};
@@ -82,14 +84,6 @@ enum TermArgument {
     Ambient,
     Diffuse,
     Specular,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum ToneMappingArgument {
-    /// Cut off at white
-    None,
-    /// Khronos PBR Neutral
-    Neutral,
 }
 
 /// Loads, renders, writes, reports.
@@ -191,10 +185,7 @@ fn encode(
     format: PictureFormat,
 ) -> Result<Vec<u8>, Failure> {
     let ev100 = arguments.exposure.unwrap_or(scene.camera.exposure_ev100);
-    let tone_mapping = match arguments.tone_mapping {
-        ToneMappingArgument::None => ToneMapping::None,
-        ToneMappingArgument::Neutral => ToneMapping::Neutral,
-    };
+    let tone_mapping = arguments.tone_mapping.mapping();
     render::encode(picture, format, ev100, tone_mapping)
         .map_err(|error| Failure::new(Exit::File, format_args!("the picture: {error}")))
 }
@@ -398,14 +389,6 @@ fn times(frame: &FrameReport, start_to_file_ms: f64) -> String {
     )
 }
 
-fn exposure(text: &str) -> Result<f32, String> {
-    match text.parse::<f32>() {
-        // Beyond it 2^EV leaves the range of f32.
-        Ok(ev) if ev.abs() <= 100.0 => Ok(ev),
-        _ => Err("it is a number from -100 to 100".into()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -491,15 +474,6 @@ mod tests {
         assert_eq!(exit(render::RenderError::Gpu(lost)), Exit::Device);
         let message = Failure::from(render::RenderError::Scene(beyond())).message;
         assert!(message.contains("materials is 2"), "{message}");
-    }
-
-    #[test]
-    fn exposure_has_its_range() {
-        assert_eq!(exposure("-100"), Ok(-100.0));
-        assert_eq!(exposure("1e1"), Ok(10.0));
-        for text in ["", "nan", "inf", "-inf", "100.1", "ten"] {
-            assert!(exposure(text).is_err(), "{text}");
-        }
     }
 
     #[test]

@@ -10,6 +10,7 @@
 mod camera;
 mod draw_list;
 pub mod effects;
+pub mod export;
 mod frame;
 mod geometry;
 mod inspection;

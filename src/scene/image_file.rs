@@ -79,18 +79,23 @@ impl ImageFile {
         Some(format!("{what}: save it as PNG, JPEG, HDR or EXR"))
     }
 
-    /// Unpacks the picture, which may have `room` pixels.
+    /// Unpacks the picture, which may have `room` pixels; one that holds a NaN or an infinity is refused.
     pub(super) fn decode(self, room: u64) -> Result<Picture, Error> {
+        let picture = self.decode_as_it_is(room)?;
+        self.finite(&picture)?;
+        Ok(picture)
+    }
+
+    /// Unpacks the picture, which may have `room` pixels and hold anything that a float can.
+    pub(super) fn decode_as_it_is(&self, room: u64) -> Result<Picture, Error> {
         let fit = |width: usize, height: usize| self.fit(width, height, room);
-        let picture = match self.format {
+        match self.format {
             Some(ImageFormat::Png) => self.png(fit),
             Some(ImageFormat::Jpeg) => self.jpeg(fit),
             Some(ImageFormat::Hdr) => self.hdr(fit),
             Some(ImageFormat::OpenExr) => self.exr(fit),
             _ => Err(self.refuse(self.foreign().unwrap_or_default())),
-        }?;
-        self.finite(&picture)?;
-        Ok(picture)
+        }
     }
 
     fn refuse(&self, message: impl Into<String>) -> Error {

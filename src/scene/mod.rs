@@ -33,6 +33,7 @@ mod overrides;
 mod paths;
 mod quote;
 pub mod shapes;
+mod still;
 pub(crate) mod suggest;
 mod tangents;
 mod texture;
@@ -52,6 +53,7 @@ pub use materials::{MAX_SHININESS, Material, roughness_from_shininess, shininess
 pub use mesh::{Bounds, Mesh};
 pub use models::MAX_OBJECTS;
 pub use normals::CREASE_DEGREES;
+pub use still::{Still, StillPixels};
 pub use texture::{MAX_TEXEL_EMISSION, MAX_TEXTURE_PIXELS, MAX_TEXTURE_SIDE, Texture};
 pub use texture_loader::MAX_TEXTURES;
 pub use wall::{Exhibit, Order, Wall};

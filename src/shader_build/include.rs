@@ -135,7 +135,7 @@ impl Expander<'_> {
 }
 
 /// The path of an `#include` line; `None` for any other line.
-fn directive(line: &str) -> Result<Option<&str>, String> {
+pub(super) fn directive(line: &str) -> Result<Option<&str>, String> {
     let Some(rest) = line.trim_start().strip_prefix('#') else {
         return Ok(None);
     };

@@ -3,13 +3,14 @@
 //! Used by the build script, by the tests, and by whatever reloads a shader while the program runs.
 //! Each entry point is expanded ([`include`]), compiled by glslang ([`compile`]), parsed by naga
 //! ([`reflect`]), and the two results are held against each other ([`agreement`]). [`generate`] writes
-//! what the host needs as Rust.
+//! what the host needs as Rust, [`sources`] the texts that it exports.
 
 pub mod agreement;
 pub mod compile;
 pub mod generate;
 pub mod include;
 pub mod reflect;
+pub mod sources;
 
 use std::fmt;
 use std::fs;
@@ -95,7 +96,7 @@ pub struct Report {
 
 /// Builds every `*.vert`, `*.frag` and `*.comp` directly under `folder`.
 ///
-/// Writes `NAME.EXT.spv` and `NAME.EXT.expanded` for each, and `shaders.rs`, into `out`. An entry point
+/// Writes `NAME.EXT.spv` and `NAME.EXT.expanded` for each, `shaders.rs` and `sources.rs` into `out`. An entry point
 /// is compiled anew only where its expansion differs from the one in `out`; so a change to one file
 /// rebuilds only what includes it. `salt` is whatever else a compilation depends on (the compiler): a
 /// new one rebuilds all.
@@ -124,6 +125,8 @@ pub fn build(folder: &Path, out: &Path, salt: &str) -> Result<Report, Vec<Error>
     }
     let all = Reflection::merge(folder, &entries)?;
     write(&out.join("shaders.rs"), generate::rust(&entries, &all)).map_err(|error| vec![error])?;
+    let sources = sources::rust(folder).map_err(|error| vec![error])?;
+    write(&out.join("sources.rs"), sources).map_err(|error| vec![error])?;
     Ok(report)
 }
 

@@ -3,6 +3,7 @@
 //! A study measures and returns a table; it neither parses nor prints.
 
 mod clocks;
+mod difference;
 mod effects;
 mod first_draw;
 pub mod ladders;
@@ -10,6 +11,7 @@ mod own_process;
 pub mod stability;
 pub mod state_changes;
 
+pub use difference::{Compared, Display, NoDifference, Seen, difference, key_exposure};
 pub use effects::{Options, SceneStudy, frames, study};
 pub use first_draw::FirstDraw;
 pub use own_process::{ColdAndWarm, OwnProcessError};

@@ -2,7 +2,9 @@
 
 mod bench;
 mod devices;
+mod diff;
 mod effects;
+mod export;
 mod inputs;
 mod options;
 #[cfg(unix)]
