@@ -4,11 +4,14 @@ use crate::cli::exit::Failure;
 use crate::cli::output::{JsonArgument, print_bytes, progress_bar, talk, write_json};
 use crate::render::Cache;
 use crate::report::{Machine, ModelsReport, Program};
-use crate::studies::ladders::{self, STEPS, TRUTHS};
+use crate::studies::ladders::{self, PATHS, STEPS, TRUTHS};
 
 /// Options of `umber models`.
 #[derive(clap::Args)]
 pub struct Arguments {
+    /// Paths that are followed for each angle of the light on each surface; the truths' own error falls with their root
+    #[arg(long, value_name = "N", default_value_t = PATHS as u32, value_parser = clap::value_parser!(u32).range(1024..=1 << 24))]
+    paths: u32,
     #[command(flatten)]
     json: JsonArgument,
     /// Say nothing but errors
@@ -30,7 +33,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             talk(format_args!("warning: {text}"));
         }
     });
-    let rows = ladders::errors(&cache, &|steps| bar.inc(steps));
+    let rows = ladders::errors(&cache, arguments.paths as usize, &|steps| bar.inc(steps));
     bar.finish_and_clear();
     let report = ModelsReport {
         schema: ModelsReport::SCHEMA,

@@ -47,7 +47,7 @@ pub struct ModelCase {
     pub surface: String,
     /// Root mean square error, weighed by the cosines of light and eye.
     pub error_rms: f64,
-    /// The largest error at any of the angles.
+    /// The largest error at any of the angles, where the truth is at least a thousandth of its peak.
     pub error_max: f64,
     /// The RMS with roughness and albedo free; null where nothing is free.
     pub refitted_rms: Option<f64>,

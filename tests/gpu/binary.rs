@@ -6,6 +6,7 @@ mod diff;
 mod effects;
 mod export;
 mod inputs;
+mod models;
 mod options;
 #[cfg(unix)]
 mod outputs;

@@ -17,18 +17,16 @@ use crate::report::{ModelCase, ModelRow};
 
 /// Surfaces, sigma in radians: from where the models differ by more than the truth's noise.
 const SIGMAS: [f64; 3] = [0.35, 0.52, 0.8];
-/// Paths of each angle of the light: 0.3 % of statistical error.
-const PATHS: usize = 1 << 17;
 
 /// Truths that are needed.
 pub const TRUTHS: u64 = SIGMAS.len() as u64;
 
 /// A row for each tier.
-pub fn rows(cache: &Cache, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
+pub fn rows(cache: &Cache, paths: usize, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
     let truths = SIGMAS.map(|sigma| {
-        let name = format!("v-cavities-{sigma}");
-        let parameters = format!("sigma {sigma}, {PATHS} paths, seed {SEED}");
-        let make = || truth(&MATTE, sigma, PATHS, SEED, &|| progress(1));
+        let name = format!("v-cavities-{sigma}-{paths}");
+        let parameters = format!("sigma {sigma}, {paths} paths, seed {SEED}");
+        let make = || truth(&MATTE, sigma, paths, SEED, &|| progress(1));
         cache.get(&name, &parameters, make)
     });
     Diffuse::ALL

@@ -12,9 +12,13 @@ pub type Model = fn(DVec3, DVec3, f64, f64) -> f64;
 pub struct Distance {
     /// Cosine-weighted root mean square, of the truth's own.
     pub rms: f64,
-    /// The largest, of the truth there.
+    /// The largest, of the truth there, where that is at least a thousandth of its peak.
     pub largest: f64,
 }
+
+/// Beside a lobe a truth is next to nothing, and any model many times as much: the largest error is looked for where it is at least this
+/// share of its largest value.
+const LEAST_SHARE: f64 = 1.0e-3;
 
 /// The distance of a model from one channel of a truth.
 pub fn distance(
@@ -23,12 +27,15 @@ pub fn distance(
     channel: usize,
     model: impl Fn(DVec3, DVec3) -> f64,
 ) -> Distance {
+    let peak = truth.f.iter().map(|f| f[channel]).fold(0.0, f64::max);
     let (mut off, mut whole, mut largest) = (0.0, 0.0, 0.0_f64);
     for (((l, e), weight), f) in grid.cells().zip(grid.weights()).zip(&truth.f) {
         let (got, want) = (model(l, e), f[channel]);
         off += weight * (got - want).powi(2);
         whole += weight * want * want;
-        largest = largest.max((got / want - 1.0).abs());
+        if want >= LEAST_SHARE * peak {
+            largest = largest.max((got / want - 1.0).abs());
+        }
     }
     Distance {
         rms: (off / whole).sqrt(),

@@ -20,10 +20,13 @@ pub const SEED: u64 = 1;
 /// Steps of a truth.
 pub use crate::reference::truth::STEPS;
 
-/// All rows. Truths come from `cache`, or are made and kept there. `progress` hears of each step, `told` of what was found damaged.
-pub fn errors(cache: &Cache, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
-    let mut rows = diffuse::rows(cache, progress);
-    rows.extend(specular::rows(cache, progress));
+/// Paths of each angle of the light: 0.3 % of statistical error.
+pub const PATHS: usize = 1 << 17;
+
+/// All rows. Truths of so many paths come from `cache`, or are made and kept there. `progress` hears of each step.
+pub fn errors(cache: &Cache, paths: usize, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
+    let mut rows = diffuse::rows(cache, paths, progress);
+    rows.extend(specular::rows(cache, paths, progress));
     rows.extend(fresnel::rows());
     rows
 }

@@ -15,25 +15,27 @@ use crate::report::{ModelCase, ModelRow};
 
 /// Widths of the slopes.
 const ALPHAS: [f64; 3] = [0.25, 0.5, 1.0];
-/// Paths of each angle of the light: 0.3 % of statistical error.
-const PATHS: usize = 1 << 17;
 
 /// Truths that are needed.
 pub const TRUTHS: u64 = 2 * ALPHAS.len() as u64;
 
 /// A row for each tier.
-pub fn rows(cache: &Cache, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
+pub fn rows(cache: &Cache, paths: usize, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
     let of = |slopes, name: &str| {
         ALPHAS.map(|alpha| {
-            let parameters = format!("alpha {alpha}, mirrors, {PATHS} paths, seed {SEED}");
-            cache.get(&format!("smith-{name}-{alpha}"), &parameters, || {
-                let surface = Microsurface {
-                    slopes,
-                    alpha,
-                    facets: Facets::Mirror,
-                };
-                truth(&GLOSSY, surface, None, (PATHS, SEED), &|| progress(1))
-            })
+            let parameters = format!("alpha {alpha}, mirrors, {paths} paths, seed {SEED}");
+            cache.get(
+                &format!("smith-{name}-{alpha}-{paths}"),
+                &parameters,
+                || {
+                    let surface = Microsurface {
+                        slopes,
+                        alpha,
+                        facets: Facets::Mirror,
+                    };
+                    truth(&GLOSSY, surface, None, (paths, SEED), &|| progress(1))
+                },
+            )
         })
     };
     let (ggx, beckmann) = (of(Slopes::Ggx, "ggx"), of(Slopes::Beckmann, "beckmann"));
