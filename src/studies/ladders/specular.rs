@@ -6,7 +6,9 @@ use super::SEED;
 use super::fit::{distance, noise};
 use crate::math::frame::spherical;
 use crate::math::quadrature::{GaussLegendre, half_vectors};
-use crate::reference::ladders::Specular;
+use crate::reference::ladders::{Fresnel, Specular};
+use crate::reference::reflectance::Reflectance;
+use crate::reference::spectral::METALS;
 use crate::reference::truth::microsurface::{Facets, Microsurface, Slopes, truth};
 use crate::reference::truth::{GLOSSY, Truth};
 use crate::reference::{beckmann_smith, blinn_phong, cook_torrance, ggx, kulla_conty, slides};
@@ -16,8 +18,11 @@ use crate::report::{ModelCase, ModelRow};
 /// Widths of the slopes.
 const ALPHAS: [f64; 3] = [0.25, 0.5, 1.0];
 
+/// The width at which metal facets are tried: the more bounces, the more the colour counts.
+const METAL_ALPHA: f64 = 1.0;
+
 /// Truths that are needed.
-pub const TRUTHS: u64 = 2 * ALPHAS.len() as u64;
+pub const TRUTHS: u64 = 2 * ALPHAS.len() as u64 + 1;
 
 /// A row for each tier.
 pub fn rows(cache: &Cache, paths: usize, progress: &(dyn Fn(u64) + Sync)) -> Vec<ModelRow> {
@@ -39,11 +44,66 @@ pub fn rows(cache: &Cache, paths: usize, progress: &(dyn Fn(u64) + Sync)) -> Vec
         })
     };
     let (ggx, beckmann) = (of(Slopes::Ggx, "ggx"), of(Slopes::Beckmann, "beckmann"));
+    let gold = gold(cache, paths, progress);
     let row = |tier| match tier {
-        Specular::Ggx | Specular::GgxMulti => row(tier, &ggx, "Smith walk, GGX"),
+        Specular::Ggx | Specular::GgxMulti => {
+            let mut row = row(tier, &ggx, "Smith walk, GGX");
+            row.cases.extend(gold_cases(tier, &gold));
+            row
+        }
         _ => row(tier, &beckmann, "Smith walk, Beckmann"),
     };
     Specular::ALL.into_iter().map(row).collect()
+}
+
+/// Gold by Fresnel's equations at the wavelengths that stand for the channels.
+fn gold_term() -> Reflectance {
+    let metal = METALS[0].metal();
+    Reflectance {
+        tier: Fresnel::Conductor,
+        f0: metal.f0,
+        metal,
+    }
+}
+
+fn gold(cache: &Cache, paths: usize, progress: &(dyn Fn(u64) + Sync)) -> Truth {
+    let metal = gold_term().metal;
+    let parameters = format!("alpha {METAL_ALPHA}, gold, {paths} paths, seed {SEED}");
+    let name = format!("smith-gold-{METAL_ALPHA}-{paths}");
+    cache.get(&name, &parameters, || {
+        let surface = Microsurface {
+            slopes: Slopes::Ggx,
+            alpha: METAL_ALPHA,
+            facets: Facets::Conductor([0, 1, 2].map(|i| (metal.n[i], metal.k[i]))),
+        };
+        truth(&GLOSSY, surface, None, (paths, SEED), &|| progress(1))
+    })
+}
+
+fn gold_cases(tier: Specular, truth: &Truth) -> Vec<ModelCase> {
+    let term = gold_term();
+    let mean = term.mean();
+    let f = |l: DVec3, e: DVec3, channel: usize| {
+        let mu = l.dot((l + e).normalize());
+        let once = ggx::lobe(N, l, e, METAL_ALPHA) * term.f(mu)[channel];
+        let more = match tier {
+            Specular::GgxMulti => kulla_conty::lobe(N, l, e, METAL_ALPHA, mean)[channel],
+            _ => 0.0,
+        };
+        (once + more) / l.z
+    };
+    let channels = ["red", "green", "blue"].into_iter().enumerate();
+    let cases = channels.map(|(channel, name)| {
+        let found = distance(&GLOSSY, truth, channel, |l, e| f(l, e, channel));
+        ModelCase {
+            surface: format!("alpha {METAL_ALPHA}, gold, {name}"),
+            error_rms: found.rms,
+            error_max: found.largest,
+            refitted_rms: None,
+            truth_noise: noise(&GLOSSY, truth, channel),
+        }
+    });
+    cases.collect()
 }
 
 fn row(tier: Specular, truths: &[Truth], name: &str) -> ModelRow {
