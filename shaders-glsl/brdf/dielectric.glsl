@@ -22,7 +22,7 @@ Refraction refraction(float f0, float mu) {
 
 // The amplitudes, of which no numerator is a difference of large numbers, are
 // s: 4 r / (q mu + g)^2,  p: 4 r ((p^2 + q^2) mu^2 - q^2) / (p^2 mu + q g)^2.
-// Errs by 8e-6 of itself for f0 of 1e-6 to 0.2, all clear stuffs; of q a larger f0 leaves fewer digits.
+// Errs by 1e-5 of itself for f0 of 1e-6 to 0.2, all clear stuffs; of q a larger f0 leaves fewer digits.
 float F_dielectric(float f0, float mu) {
     Refraction at = refraction(f0, mu);
     float squares = (at.p * at.p + at.q * at.q) * mu * mu - at.q * at.q;

@@ -11,7 +11,7 @@ use crate::scene::suggest;
 #[derive(clap::Args)]
 pub struct LightingArguments {
     /// The lighting model
-    #[arg(long, default_value = "corrected")]
+    #[arg(long, default_value = "best")]
     lighting: Preset,
     /// The base: lambert, qon, fon, eon, full-oren-nayar, slides [default: the model's]
     #[arg(long, value_name = "TIER", value_parser = diffuse)]

@@ -19,6 +19,8 @@ const LEAST_ROUGHNESS: f64 = 1.0e-4;
 const LARGEST_EXPONENT: f64 = 13.815_510_557_964_274;
 /// Of terms that cancel to less than this share of themselves nothing is promised.
 const LEAST_LEFT: f64 = 1.0e-3;
+/// Metals in the visible have 0.3 and more.
+const LEAST_METAL_F0: f64 = 0.1;
 /// Of clear stuffs: diamond has 0.17.
 const DIELECTRIC_F0: std::ops::RangeInclusive<f64> = 1.0e-6..=0.2;
 /// A length's square this far from 1 is no unit vector's: what rounding leaves is 4e-7 at most.
@@ -97,7 +99,7 @@ impl Truth {
     fn looseness(&self) -> f64 {
         match self.function.name {
             // Amplitudes are squared twice.
-            "dielectric-f" | "conductor-f" => 4.0,
+            "dielectric-f" | "conductor-f" => 5.0,
             // A cube root and a logarithm find its place in the table.
             "ggx-multi" => 2.0,
             _ => 1.0,
@@ -112,7 +114,7 @@ impl Truth {
         if !unit || input.f0.is_subnormal() || !(0.0..=1.0).contains(&input.roughness) {
             return false;
         }
-        if !self.function.takes_extra_of(input) || !self.takes_f0(f0(input)) {
+        if !self.function.takes_extra_of(input) || !self.takes_reflectance(input) {
             return false;
         }
         if self.function.shape == Shape::Flat {
@@ -129,9 +131,18 @@ impl Truth {
         at.least_cosine() >= least && !far
     }
 
-    /// Whether accuracy is promised for an f0: Fresnel's own curve asks for 1 - sqrt(f0), of which a metal's f0 leaves few digits.
-    fn takes_f0(&self, f0: f64) -> bool {
-        self.function.name != "dielectric-f" || f0 == 0.0 || DIELECTRIC_F0.contains(&f0)
+    /// Whether accuracy is promised for a Fresnel term's numbers: a clear interface's curve asks for 1 - sqrt(f0), of which a metal's f0
+    /// leaves few digits, and a metal's for n - 1, which nothing like a metal leaves none of.
+    fn takes_reflectance(&self, input: &ProbeInput) -> bool {
+        match self.function.name {
+            "dielectric-f" => f0(input) == 0.0 || DIELECTRIC_F0.contains(&f0(input)),
+            "conductor-f" => {
+                let [n, k, ..] = extra(input);
+                let at = |n: f64| n * n + k * k;
+                at(n - 1.0) >= LEAST_METAL_F0 * at(n + 1.0)
+            }
+            _ => true,
+        }
     }
 
     /// Which roughness the lobe has at the input's, if it is a lobe with a peak.

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::{Place, Tested};
 
-/// The range of a figure over a tier's surfaces, percent.
+/// The range of a figure over a tier's surfaces, percent; gold facets have no published figure.
 fn range(report: &Value, term: &str, tier: &str, figure: &str) -> (f64, f64) {
     let rows = report["rows"].as_array().cloned().unwrap_or_default();
     let row = rows
@@ -14,6 +14,12 @@ fn range(report: &Value, term: &str, tier: &str, figure: &str) -> (f64, f64) {
     let values: Vec<f64> = cases
         .unwrap_or_default()
         .iter()
+        .filter(|case| {
+            !case["surface"]
+                .as_str()
+                .unwrap_or_default()
+                .contains("gold")
+        })
         .filter_map(|case| Some(case[figure].as_f64()? * 100.0))
         .collect();
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);

@@ -5,6 +5,7 @@ use std::path::Path;
 use glam::Vec3;
 use serde_json::Value;
 use umber::gpu::Samples;
+use umber::reference::ladders::Mix;
 use umber::reference::shade::{Lighting, Terms};
 use umber::render::{Picture, PictureFormat, ToneMapping, Variant, encode};
 use umber::scene::{self, LoadOptions};
@@ -176,6 +177,12 @@ fn an_exr_is_the_librarys_picture_to_the_bit() -> Tested {
             "ambient,diffuse,specular",
         ),
         (
+            Lighting::Mixed(Mix::BEST),
+            "best",
+            Terms::ALL,
+            "ambient,diffuse,specular",
+        ),
+        (
             Lighting::CORRECTED,
             "corrected",
             terms(true, false, false),
@@ -222,7 +229,9 @@ fn an_exr_is_the_librarys_picture_to_the_bit() -> Tested {
 #[test]
 fn exposure_and_tone_mapping_change_a_png_and_no_exr() -> Tested {
     let place = Place::new()?;
-    let picture = library(&place, &[], Samples::Four, whole(Lighting::CORRECTED));
+    // The default.
+    let best = whole(Lighting::Mixed(Mix::BEST));
+    let picture = library(&place, &[], Samples::Four, best);
     let cases: [(&[&str], f32, ToneMapping); 5] = [
         (&[], 0.0, ToneMapping::Neutral),
         (&["--exposure", "-1.5"], -1.5, ToneMapping::Neutral),
