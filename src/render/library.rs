@@ -445,37 +445,6 @@ pub static NOTHING: Function = Function {
     constant: values::FUNCTION_NOTHING,
 };
 
-/// A whole model under one lamp, all channels. Not among `FUNCTIONS`: it is timed, and judged in pictures.
-pub static MODEL: Function = Function {
-    name: "model",
-    takes: "roughness, f0, 0 to 1; four numbers that albedo, colour and Fresnel terms are made of, 0.1 to 0.9",
-    gives: "radiance of the three channels together under 1 lx",
-    source: "shading/models.glsl",
-    tiers: PLAIN,
-    is_listing: false,
-    extra: &[
-        Extra {
-            name: "a",
-            range: (0.1, 0.9),
-        },
-        Extra {
-            name: "b",
-            range: (0.1, 0.9),
-        },
-        Extra {
-            name: "c",
-            range: (0.1, 0.9),
-        },
-        Extra {
-            name: "d",
-            range: (0.1, 0.9),
-        },
-    ],
-    shape: Shape::Flat,
-    shader: spirv::PROBE_MODEL_COMP,
-    constant: 0,
-};
-
 impl Function {
     /// The function of that name.
     ///

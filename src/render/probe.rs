@@ -4,16 +4,14 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::library::{Function, MODEL, Tier};
+use super::library::{Function, Tier};
 use super::missing_table;
-use super::variant::Variant;
 use crate::gpu::{
     Binding, BindingKind, Buffer, BufferUse, ComputePipeline, Constant, DescriptorSet, Device,
     Error, PipelineCache, PipelineLayout, Recorder, Resource, SetLayout, Spirv, Timestamps,
 };
 use crate::interface::reflected::{bindings, constants, values};
 use crate::interface::{ProbeInput, ProbeResult};
-use crate::reference::shade::{Lighting, Terms};
 
 /// Invocations of a dispatch: 16 MiB of inputs and 4 of results.
 const MOST_INVOCATIONS: u32 = 1 << 18;
@@ -53,8 +51,6 @@ pub struct Probe {
     cache: PipelineCache,
     function: &'static Function,
     tier: Tier,
-    /// Of a whole model.
-    variant: Option<Variant>,
     missing: Arc<Buffer>,
     /// One for each source of inputs that was asked for: a CPU driver takes a second to compile one.
     made: Mutex<Vec<(i32, Arc<ComputePipeline>)>>,
@@ -84,7 +80,7 @@ impl Probe {
         let layout = SetLayout::new(device, "probe", &BINDINGS)?;
         let bytes = (PUSHED * size_of::<u32>()) as u32;
         let missing = match function.name {
-            "ggx-multi" | "model" => missing_table::table(None),
+            "ggx-multi" => missing_table::table(None),
             _ => missing_table::nothing(),
         };
         let missing = bytemuck::cast_slice(&missing);
@@ -101,22 +97,7 @@ impl Probe {
             layout,
             function,
             tier,
-            variant: None,
             made: Mutex::default(),
-        })
-    }
-
-    /// A probe of a whole model.
-    ///
-    /// # Errors
-    /// The driver fails.
-    pub fn of_model(device: &Arc<Device>, lighting: Lighting) -> Result<Self, Error> {
-        Ok(Self {
-            variant: Some(Variant {
-                lighting,
-                terms: Terms::ALL,
-            }),
-            ..Self::new(device, &MODEL, Tier::F32)?
         })
     }
 
@@ -228,24 +209,9 @@ impl Probe {
             (constants::PROBE_SHAPE, self.function.shape.constant()),
         ]
         .map(|(id, value)| Constant { id, value });
-        let constants = [&constants[..], &self.model_constants()].concat();
         let shader = Spirv(self.function.shader);
         let layout = &self.pipeline_layout;
         ComputePipeline::new(&self.device, layout, &self.cache, &name, shader, &constants)
-    }
-
-    /// The tiers, and every effect of theirs.
-    fn model_constants(&self) -> Vec<Constant> {
-        let Some(variant) = self.variant else {
-            return Vec::new();
-        };
-        let effects = [
-            constants::EFFECT_DIFFUSE_LOBE,
-            constants::EFFECT_SPECULAR_LOBE,
-            constants::EFFECT_ROUGH_DIFFUSE,
-        ];
-        let on = effects.map(|id| Constant { id, value: 1 });
-        variant.constants().into_iter().chain(on).collect()
     }
 
     fn pushed(&self, job: &Job) -> [u32; PUSHED] {

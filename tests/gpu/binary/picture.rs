@@ -189,12 +189,6 @@ fn an_exr_is_the_librarys_picture_to_the_bit() -> Tested {
             "ambient",
         ),
         (
-            Lighting::CORRECTED,
-            "corrected",
-            terms(false, true, false),
-            "diffuse",
-        ),
-        (
             Lighting::Phong,
             "phong",
             terms(false, true, true),
