@@ -8,7 +8,7 @@ use umber::reference::{beckmann_smith, conductor, ggx};
 use crate::tolerances::STANDARD_ERRORS;
 
 const N: DVec3 = DVec3::Z;
-const PATHS: usize = 1 << 14;
+const PATHS: usize = 1 << 12;
 
 /// How many of its standard errors a truth is off, in the mean square over the cells of a channel: 1 where it is right.
 fn deviations(truth: &Truth, channel: usize, want: impl Iterator<Item = f64>) -> f64 {
@@ -93,9 +93,9 @@ fn symmetry(grid: &Grid, truth: &Truth) -> f64 {
 
 #[test]
 fn light_and_eye_may_change_places() {
-    let cavities = v_cavities::truth(&MATTE, 0.52, 4 * PATHS, 3, &|| {});
+    let cavities = v_cavities::truth(&MATTE, 0.52, 8 * PATHS, 3, &|| {});
     let mirrors = surface(Slopes::Ggx, 0.5, Facets::Mirror);
-    let mirrors = microsurface::truth(&GLOSSY, mirrors, None, (4 * PATHS, 3), &|| {});
+    let mirrors = microsurface::truth(&GLOSSY, mirrors, None, (8 * PATHS, 3), &|| {});
     for (grid, truth) in [(MATTE, cavities), (GLOSSY, mirrors)] {
         let ratio = symmetry(&grid, &truth);
         assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
