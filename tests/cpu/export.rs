@@ -94,6 +94,21 @@ fn every_function_of_brdf_is_in_every_language() {
 fn comments_stand_over_what_they_are_about() {
     for language in Language::ALL {
         let text = whole(language);
+        let lines: Vec<_> = text.lines().collect();
+        for function in functions_of("brdf") {
+            let place = lines.iter().position(|line| {
+                line.starts_with(char::is_alphabetic) && line.contains(&format!(" {function}("))
+            });
+            let place = place.expect("the function");
+            let commented = lines[place - 1].starts_with("// ");
+            assert!(commented, "{}: {function}", language.name());
+        }
+        // A function of the library stands with the file whose name it has, and not with one that begins alike.
+        let after = |one: &str, other: &str| text.find(one) > text.find(other);
+        assert!(after(
+            "`umber eval beckmann-smith`",
+            "==== brdf/beckmann_smith.glsl"
+        ));
         for (function, above) in [
             (
                 "G_VCavity",
@@ -113,7 +128,7 @@ fn comments_stand_over_what_they_are_about() {
         }
         for once in [
             "// How much does an interface reflect? Schlick 1994, with a colour at normal incidence.",
-            "// `umber eval beckmann-d` takes ",
+            "// `umber eval beckmann-d`",
             "==== brdf/cook_torrance.glsl ====",
             "MIT or Apache-2.0",
             "// How many facets face a half vector?",

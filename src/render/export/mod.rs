@@ -10,7 +10,7 @@ mod translate;
 
 use sources::{File, Item, with_needs};
 
-use crate::render::library::FUNCTIONS;
+use crate::render::library::{FUNCTIONS, Function};
 use crate::scene::suggest;
 
 /// A shading language.
@@ -91,10 +91,7 @@ pub fn list() -> String {
         if functions.is_empty() {
             continue;
         }
-        let question = file
-            .head
-            .first()
-            .map_or("", |line| line.trim_start_matches("// "));
+        let question = question(file);
         let only = match file.items.iter().any(Item::is_precise) || !file.is_in("brdf") {
             true => " (glsl)",
             false => "",
@@ -193,22 +190,41 @@ fn glsl(chosen: &[(&'static File, Vec<&'static Item>)]) -> String {
     text
 }
 
+/// The first sentence of a file.
+fn question(file: &File) -> String {
+    let lines = file.head.iter().map(|line| line.trim_start_matches("// "));
+    let text = lines.collect::<Vec<_>>().join(" ");
+    let end = text.find('?').map_or(text.len(), |place| place + 1);
+    text[..end].to_owned()
+}
+
 /// What stands over what a file defines: its head, and what the library says of its functions.
 fn heading(file: &File) -> Vec<String> {
     let mut heading = vec![format!("// ==== {} ====", file.path)];
     heading.extend(file.head.iter().map(|line| (*line).to_owned()));
-    let stem = file.stem().replace('_', "-");
-    let of_file = |name: &str| {
-        let rest = name.strip_prefix(&stem);
-        file.is_in("brdf") && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    let of_file = |function: &&Function| {
+        file.is_in("brdf") && home(function.name).is_some_and(|stem| stem == file.stem())
     };
-    for function in FUNCTIONS.iter().filter(|function| of_file(function.name)) {
-        heading.push(format!(
-            "// `umber eval {}` takes {}; gives {}. From {}.",
-            function.name, function.takes, function.gives, function.source
-        ));
+    for function in FUNCTIONS.iter().filter(of_file) {
+        heading.extend([
+            format!("// `umber eval {}`", function.name),
+            format!("//   takes  {}", function.takes),
+            format!("//   gives  {}", function.gives),
+            format!("//   from   {}", function.source),
+        ]);
     }
     heading
+}
+
+/// The file of a function of the library: that of the longest name with which the function's begins (`beckmann-d` is
+/// of `beckmann`, `beckmann-smith` of `beckmann_smith`).
+fn home(function: &str) -> Option<&'static str> {
+    let name = function.replace('-', "_");
+    let begins = |stem: &&str| {
+        let rest = name.strip_prefix(stem);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+    };
+    stems().filter(begins).max_by_key(|stem| stem.len())
 }
 
 fn head(language: Language, asked: &[String]) -> String {
