@@ -52,7 +52,8 @@ float value_of(ProbeInput p, int tier) {
     }
     float missing_l = ggx_missing(min(NoL, 1.0), m);
     float missing_e = ggx_missing(min(NoE, 1.0), m);
-    return once + kulla_conty(missing_l, missing_e, ggx_missing_on_average(m), F_avg_Schlick(f0, f90), NoL).x;
+    vec3 between = kulla_conty(missing_e, ggx_missing_on_average(m), F_avg_Schlick(f0, f90));
+    return once + between.x * (missing_l * NoL);
 }
 
 #include "probe/evaluate.glsl"

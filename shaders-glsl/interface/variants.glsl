@@ -15,6 +15,11 @@ const int INSPECT_NOTHING = 0;
 const int INSPECT_NORMAL = 1; // N, and the number of the material
 const int INSPECT_EYE = 2;    // E, and the roughness
 const int INSPECT_LIGHT = 3;  // L of a lamp, and the largest channel of f0; -1 where nothing arrives
+const int INSPECT_POSITION = 4; // world space, m, and how open the place is to its surroundings, 0..1
+const int INSPECT_ALBEDO = 5;
+const int INSPECT_F0 = 6;
+const int INSPECT_EMISSION = 7; // cd/m^2
+const int INSPECT_SHADOW = 8;   // how much of a lamp's light comes through, 0..1
 
 const int LIGHTING_PHONG = 0;
 const int LIGHTING_SLIDES = 1;

@@ -11,12 +11,12 @@ void look_up_missing(inout Surface surface) {
     if (SPECULAR != SPECULAR_GGX_MULTI) {
         return;
     }
-    surface.missing_eye = ggx_missing(clamp(surface.NoE, 0.0, 1.0), surface.roughness);
-    surface.missing = ggx_missing_on_average(surface.roughness);
+    float missing_eye = ggx_missing(clamp(surface.NoE, 0.0, 1.0), surface.roughness);
+    float missing = ggx_missing_on_average(surface.roughness);
+    surface.between = kulla_conty(missing_eye, missing, F_avg_interface(surface));
 }
 
 // f NoL.
 vec3 between_facets(Surface surface, float NoL) {
-    float missing_light = ggx_missing(min(NoL, 1.0), surface.roughness);
-    return kulla_conty(missing_light, surface.missing_eye, surface.missing, F_avg_interface(surface), NoL);
+    return surface.between * (ggx_missing(min(NoL, 1.0), surface.roughness) * NoL);
 }

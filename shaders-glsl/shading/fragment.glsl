@@ -64,8 +64,7 @@ Surface plain_surface(Material material, vec3 position, vec3 normal) {
     surface.fresnel_2 = material.fresnel_2;
     surface.fresnel_3 = material.fresnel_3;
     surface.fresnel_4 = material.fresnel_4;
-    surface.missing_eye = 0.0;
-    surface.missing = 0.0;
+    surface.between = vec3(0.0);
     surface.weights = OrenNayarWeights(1.0, 0.0);
     return surface;
 }
@@ -114,17 +113,38 @@ Lobes lamp(uint i, Surface surface, float shininess) {
 }
 
 // What light is made from.
-vec4 inspected(Surface surface, uint material) {
+vec4 inspected(Surface surface, uint number, Material material, MapPlace place) {
     if (INSPECTED == INSPECT_NORMAL) {
-        return vec4(surface.N, float(material));
+        return vec4(surface.N, float(number));
     }
     if (INSPECTED == INSPECT_EYE) {
         return vec4(surface.E, surface.roughness);
+    }
+    if (INSPECTED == INSPECT_POSITION) {
+        Lobes open = Lobes(vec3(1.0), vec3(1.0));
+        occlusion_map(open, surface, material, place);
+        return vec4(surface.position, open.diffuse.r);
+    }
+    if (INSPECTED == INSPECT_ALBEDO) {
+        return vec4(surface.albedo, 1.0);
+    }
+    if (INSPECTED == INSPECT_F0) {
+        return vec4(surface.f0, 1.0);
+    }
+    if (INSPECTED == INSPECT_EMISSION) {
+        vec3 radiance = vec3(0.0);
+        emission(radiance, surface);
+        return vec4(radiance, 1.0);
     }
     Light light = lights[uint(INSPECTED_LIGHT)];
     Incident incident = parallel_light(light);
     point_light(incident, light, surface.position);
     spot_light(incident, light);
+    if (INSPECTED == INSPECT_SHADOW) {
+        incident.illuminance = vec3(1.0);
+        shadow(incident, light, surface);
+        return vec4(incident.illuminance, 1.0);
+    }
     float f0 = max(max(surface.f0.r, surface.f0.g), surface.f0.b);
     return vec4(incident.L, incident.arrives ? f0 : -1.0);
 }
@@ -149,7 +169,7 @@ void main() {
     specular_interface(surface);
     rough_diffuse_weights(surface);
     if (INSPECTED != INSPECT_NOTHING) {
-        out_colour = inspected(surface, in_material);
+        out_colour = inspected(surface, in_material, material, place);
         return;
     }
 

@@ -23,8 +23,7 @@ struct Surface {
     vec3 fresnel_2;
     vec3 fresnel_3;
     vec3 fresnel_4;
-    float missing_eye; // what single scattering between facets loses of the light towards the eye, 0..1
-    float missing;     // and on average
+    vec3 between;    // what bounces between facets towards the eye, over what single scattering loses of a lamp's light
     OrenNayarWeights weights;
 };
 

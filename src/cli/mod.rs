@@ -1,6 +1,7 @@
 //! What can a user ask for on the command line?
 
 mod bench;
+mod cost;
 mod devices;
 mod diff;
 mod doctor;
@@ -44,6 +45,8 @@ enum Verb {
     Effects(effects::Arguments),
     /// Measure what one pipeline saves, against switching, and what the single shader costs
     Bench(bench::Arguments),
+    /// Say what each step nearer to the truth costs on this device, in time, and what a person sees of it
+    Cost(cost::Arguments),
     /// Hold the lighting functions against their truth, at hard cases and at millions of others
     Stability(stability::Arguments),
     /// Evaluate a lighting function as the shaders compute it, at inputs from a file
@@ -83,6 +86,7 @@ pub fn run() -> ExitCode {
         Verb::Stability(arguments) => stability::run(&arguments),
         Verb::Eval(arguments) => eval::run(&arguments),
         Verb::Models(arguments) => models::run(&arguments),
+        Verb::Cost(arguments) => cost::run(&arguments),
         Verb::Diff(arguments) => diff::run(&arguments),
         Verb::Export(arguments) => export::run(&arguments),
         Verb::Devices(arguments) => devices::run(&arguments),

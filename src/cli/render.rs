@@ -1,6 +1,7 @@
 //! How does `umber render` go from a scene's file to a picture's?
 
 mod check;
+mod promise;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -21,9 +22,10 @@ use crate::render::{
     self, Defects, FrameReport, Picture, PictureFormat, Renderer, Settings, Variant,
     exposure_factor,
 };
-use crate::report::{Image, Program, RenderReport, SceneSize};
+use crate::report::{ChoiceRow, Image, Program, RenderReport, SceneSize};
 use crate::scene::{self, LoadOptions, Scene};
 use crate::studies::stability::{BadPixel, bad_pixels};
+use promise::PromiseArguments;
 
 /// Options of `umber render`.
 #[derive(clap::Args)]
@@ -44,6 +46,8 @@ pub struct Arguments {
     device: DeviceArgument,
     #[command(flatten)]
     lighting: LightingArguments,
+    #[command(flatten)]
+    promise: PromiseArguments,
     /// What the picture may contain: census (what the scene calls for), all (the same picture, compiled for any
     /// scene), none, or a list of what is left of it: diffuse-lobe,point-light
     #[arg(long, value_name = "LIST", default_value = "census", value_parser = effects)]
@@ -94,18 +98,17 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
     let warnings = scene.warnings.iter().map(|w| format!("warning: {w}"));
     say(arguments, warnings);
     let device = open_device(arguments)?;
-    let rendered = render(&settings, &device, &scene);
-    let looked =
-        rendered.and_then(|rendered| look(arguments, &settings, &device, &scene, rendered));
+    let rendered = rendered(arguments, settings, &device, &scene);
     // Also, and above all, where the frame failed.
     let messages = device.instance().validation_log().drain();
     messages.iter().for_each(talk);
     let Rendered {
         image,
         frame,
+        choice,
         defects,
         bad_pixels,
-    } = looked?;
+    } = rendered?;
     let bytes = encode(arguments, &scene, &image, picture.format)?;
     let path = picture.path.display().to_string();
     picture.output.write(&bytes)?;
@@ -116,6 +119,7 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
         scene: scene_size(&scene),
         image: describe(path, settings.samples, &image, &defects),
         frame,
+        choice,
         validation_messages: messages.len(),
         start_to_file_ms: start.elapsed().as_secs_f64() * 1e3 - outside_ms,
         program: Program::this(),
@@ -136,46 +140,41 @@ pub fn run(arguments: &Arguments, start: Instant) -> Result<(), Failure> {
 struct Rendered {
     image: Picture,
     frame: FrameReport,
+    choice: Option<ChoiceRow>,
     defects: Defects,
     bad_pixels: Vec<BadPixel>,
 }
 
-/// Looks into bad pixels, where that is asked for.
-fn look(
+/// Chooses a model where a promise asks for that, renders, and looks into bad pixels where that is asked for.
+fn rendered(
     arguments: &Arguments,
-    settings: &Settings,
+    mut settings: Settings,
     device: &Arc<Device>,
     scene: &Scene,
-    (image, frame): (Picture, FrameReport),
 ) -> Result<Rendered, Failure> {
-    let defects = image.defects();
-    if !arguments.check {
-        return Ok(Rendered {
-            image,
-            frame,
-            defects,
-            bad_pixels: Vec::new(),
-        });
-    }
-    let renderer = Renderer::new(device, None)?;
-    let bad_pixels = bad_pixels(&renderer, scene, settings, &image)?;
-    let ev100 = arguments.exposure.unwrap_or(scene.camera.exposure_ev100);
-    Ok(Rendered {
-        image: image.false_colours(1.0 / exposure_factor(ev100)),
-        frame,
-        defects,
-        bad_pixels,
-    })
-}
-
-fn render(
-    settings: &Settings,
-    device: &Arc<Device>,
-    scene: &Scene,
-) -> Result<(Picture, FrameReport), Failure> {
     let cache = dirs::cache_dir().map(|folder| folder.join("umber"));
     let renderer = Renderer::new(device, cache.as_deref())?;
-    Ok(renderer.render(scene, settings)?)
+    let mut choice = None;
+    if let Some(promise) = arguments.promise.promise() {
+        let (lighting, row) = promise::keep(&renderer, scene, &settings, promise)?;
+        settings.variant.lighting = lighting;
+        choice = Some(row);
+    }
+    let (mut image, frame) = renderer.render(scene, &settings)?;
+    let defects = image.defects();
+    let mut found = Vec::new();
+    if arguments.check {
+        found = bad_pixels(&renderer, scene, &settings, &image)?;
+        let ev100 = arguments.exposure.unwrap_or(scene.camera.exposure_ev100);
+        image = image.false_colours(1.0 / exposure_factor(ev100));
+    }
+    Ok(Rendered {
+        image,
+        frame,
+        choice,
+        defects,
+        bad_pixels: found,
+    })
 }
 
 fn encode(
@@ -358,6 +357,7 @@ fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
             count(scene.lights as u64, "light"),
         ),
     ];
+    lines.extend(report.choice.as_ref().map(promise::told));
     lines.push(match &frame.effects[..] {
         [] => "effects  none".to_owned(),
         effects => format!("effects  {}", effects.join(", ")),

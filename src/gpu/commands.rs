@@ -6,6 +6,7 @@
 use std::ffi::CString;
 use std::marker::PhantomData;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 use ash::vk;
 
@@ -27,6 +28,8 @@ pub struct Recorder<'a> {
     pool: vk::CommandPool,
     images: ImageUses,
     passes: Vec<PassCounts>,
+    /// Depth arrays, and whether shaders were the last to use them.
+    depths: Vec<(&'a DepthArray, bool)>,
     pub(super) device: Arc<Device>,
     used: PhantomData<&'a mut ()>,
 }
@@ -49,6 +52,7 @@ impl<'a> Recorder<'a> {
             pool,
             images: ImageUses::default(),
             passes: Vec::new(),
+            depths: Vec::new(),
             device: Arc::clone(device),
             used: PhantomData,
         };
@@ -95,6 +99,20 @@ impl<'a> Recorder<'a> {
         let rendering = info.rendering(&self.device);
         self.transition_depth(info.target, ImageUse::DepthTarget);
         self.record(rendering, draw);
+    }
+
+    /// Takes an array as an earlier recording left it: its passes may read it without drawing to it first.
+    ///
+    /// # Panics
+    /// No recording that is done drew to it and read it, or this one has used it already.
+    pub fn keep(&mut self, array: &'a DepthArray) {
+        assert!(array.is_of(&self.device));
+        assert!(
+            array.is_kept.load(Ordering::Acquire),
+            "there is something to keep"
+        );
+        let before = self.images.next(array.image.raw, ImageUse::ShaderRead);
+        assert_eq!(before, ImageUse::Undefined, "it is kept before it is used");
     }
 
     fn record(&mut self, rendering: Rendering<'a>, draw: impl FnOnce(&mut Pass<'_, 'a>)) {
@@ -253,6 +271,9 @@ impl<'a> Recorder<'a> {
         let raw = array.image.raw;
         let from = self.images.next(raw, to);
         self.image_barrier(raw, array.range(), from, to);
+        // Whatever becomes of the commands, nothing is kept until they are done.
+        array.is_kept.store(false, Ordering::Release);
+        self.depths.push((array, to == ImageUse::ShaderRead));
     }
 
     fn image_barrier(
@@ -329,6 +350,9 @@ impl Recorded<'_> {
         let passes = std::mem::take(&mut self.recorder.passes);
         let last = passes.last().map(|pass| pass.name.clone());
         self.recorder.device.run(self.recorder.commands, last)?;
+        for (array, is_read) in &self.recorder.depths {
+            array.is_kept.store(*is_read, Ordering::Release);
+        }
         Ok(passes)
     }
 }

@@ -1,6 +1,7 @@
 //! Where does depth live that a later pass samples?
 
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use ash::vk;
 
@@ -10,13 +11,15 @@ use super::image_memory::{ImageMemory, array_info};
 use super::requirements::DEPTH;
 
 /// Square depth images of one size, one a layer: depth passes draw to a layer, and shaders see a
-/// `texture2DArray` (of one layer too) in the passes that read it. Its content lasts for one
-/// recording; a layer that was not drawn to in it is undefined.
+/// `texture2DArray` (of one layer too) in the passes that read it. A layer that was not drawn to is undefined; what was
+/// drawn lasts until a recording draws again, for recordings that `Recorder::keep` it.
 pub struct DepthArray {
     pub(super) image: ImageMemory,
     pub(super) view: vk::ImageView,
     layer_views: Vec<vk::ImageView>,
     size: u32,
+    /// Whether the last recording that used it and was done left it ready for shaders.
+    pub(super) is_kept: AtomicBool,
 }
 
 impl DepthArray {
@@ -44,6 +47,7 @@ impl DepthArray {
             view,
             layer_views,
             size,
+            is_kept: AtomicBool::new(false),
         })
     }
 

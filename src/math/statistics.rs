@@ -22,6 +22,14 @@ pub struct Interval {
 }
 
 impl Interval {
+    /// What is known of a ratio whose clock stood still.
+    pub const UNKNOWN: Self = Self {
+        estimate: f64::NAN,
+        low: f64::NEG_INFINITY,
+        high: f64::INFINITY,
+        coverage: 1.0,
+    };
+
     /// Whether the measurements allow `x`; the bounds belong to the interval.
     pub fn contains(&self, x: f64) -> bool {
         self.low <= x && x <= self.high

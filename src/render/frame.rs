@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use super::draw_list::TooMany;
 use super::effects::{EffectSet, Effects};
+use super::geometry::Geometry;
 use super::inspection::Inspection;
 use super::picture::Picture;
 use super::plan::Plan;
@@ -55,7 +56,38 @@ struct Content<'s> {
     targets: Targets,
     set: DescriptorSet,
     batches: Vec<Batch>,
-    shadow: Option<ShadowPass>,
+    shadow: Option<Shadow>,
+}
+
+/// Where its shadow maps come from.
+enum Shadow {
+    /// It draws them.
+    Drawn(ShadowPass),
+    /// Another frame drew them.
+    Kept(Arc<DepthArray>),
+}
+
+impl Shadow {
+    fn depths(&self) -> &Arc<DepthArray> {
+        match self {
+            Self::Drawn(pass) => &pass.depths,
+            Self::Kept(depths) => depths,
+        }
+    }
+
+    fn one_triangle(&self) -> Self {
+        match self {
+            Self::Drawn(pass) => Self::Drawn(pass.one_triangle()),
+            Self::Kept(depths) => Self::Kept(Arc::clone(depths)),
+        }
+    }
+
+    fn record<'r>(&'r self, recorder: &mut Recorder<'r>, geometry: &'r Geometry) {
+        match self {
+            Self::Drawn(pass) => pass.record(recorder, geometry),
+            Self::Kept(depths) => recorder.keep(depths),
+        }
+    }
 }
 
 /// What was made for the frame.
@@ -76,7 +108,22 @@ impl<'s> Frame<'s> {
         uploaded: &'s Uploaded<'s>,
         settings: &Settings,
     ) -> Result<Self, RenderError> {
-        Self::inspecting(renderer, uploaded, settings, Inspection::Nothing)
+        Self::build(renderer, uploaded, settings, Inspection::Nothing, None)
+    }
+
+    /// A frame of the same scene and effects as `first`, under any model, that reads the shadow maps which `first` drew last: a
+    /// still scene's next frame.
+    ///
+    /// # Errors
+    /// As `new`.
+    pub fn after(
+        first: &Self,
+        settings: &Settings,
+        inspection: Inspection,
+    ) -> Result<Self, RenderError> {
+        let kept = first.content.shadow.as_ref().map(Shadow::depths);
+        let uploaded = first.content.uploaded;
+        Self::build(first.renderer, uploaded, settings, inspection, kept)
     }
 
     /// The same for a frame of numbers in place of light; one sample a pixel keeps them whole.
@@ -88,6 +135,16 @@ impl<'s> Frame<'s> {
         uploaded: &'s Uploaded<'s>,
         settings: &Settings,
         inspection: Inspection,
+    ) -> Result<Self, RenderError> {
+        Self::build(renderer, uploaded, settings, inspection, None)
+    }
+
+    fn build(
+        renderer: &'s Renderer,
+        uploaded: &'s Uploaded<'s>,
+        settings: &Settings,
+        inspection: Inspection,
+        kept: Option<&Arc<DepthArray>>,
     ) -> Result<Self, RenderError> {
         let device = &renderer.device;
         let images = device.images_created();
@@ -102,9 +159,10 @@ impl<'s> Frame<'s> {
         };
         let buffers = SceneBuffers::new(renderer, uploaded, aspect, &look, &shadows)
             .map_err(RenderError::of_scene)?;
-        let depths = match &shadows.maps[..] {
-            [] => None,
-            maps => {
+        let depths = match (&shadows.maps[..], kept) {
+            ([], _) => None,
+            (_, Some(kept)) => Some(Arc::clone(kept)),
+            (maps, None) => {
                 let side = shadows.side();
                 let depths = DepthArray::new(device, "shadow maps", side, maps.len() as u32);
                 Some(Arc::new(depths.map_err(RenderError::of_scene)?))
@@ -120,12 +178,14 @@ impl<'s> Frame<'s> {
             inspection,
         };
         let batches = plan.batches()?;
-        let shadow = match depths {
-            Some(depths) => {
+        let shadow = match (depths, kept) {
+            (Some(depths), Some(_)) => Some(Shadow::Kept(depths)),
+            (Some(depths), None) => {
                 let set = Arc::new(buffers.set(renderer, None, &uploaded.maps)?);
-                Some(plan.shadow_pass(depths, set, shadows.draws)?)
+                let pass = plan.shadow_pass(depths, set, shadows.draws)?;
+                Some(Shadow::Drawn(pass))
             }
-            None => None,
+            (None, _) => None,
         };
         let mut frame = Self {
             renderer,
@@ -202,7 +262,7 @@ impl<'s> Frame<'s> {
     fn first_draws(&self) -> Result<(), gpu::Error> {
         let content = &self.content;
         let batches: Vec<_> = content.batches.iter().map(Batch::one_triangle).collect();
-        let shadow = content.shadow.as_ref().map(ShadowPass::one_triangle);
+        let shadow = content.shadow.as_ref().map(Shadow::one_triangle);
         let passes = content.passes(&batches, shadow.as_ref());
         let mut recorder = Recorder::new(&self.renderer.device, "first draw")?;
         passes.record(&mut recorder);
@@ -216,13 +276,16 @@ impl Content<'_> {
         self.passes(&self.batches, self.shadow.as_ref())
     }
 
-    fn passes<'a>(&'a self, batches: &'a [Batch], shadow: Option<&'a ShadowPass>) -> Passes<'a> {
+    fn passes<'a>(&'a self, batches: &'a [Batch], shadow: Option<&'a Shadow>) -> Passes<'a> {
         let shading = Shading {
             targets: &self.targets,
             batches,
             set: &self.set,
             geometry: &self.uploaded.geometry,
-            reads: shadow.map(|shadow| &*shadow.depths).into_iter().collect(),
+            reads: shadow
+                .map(|shadow| &**shadow.depths())
+                .into_iter()
+                .collect(),
         };
         Passes { shadow, shading }
     }
@@ -230,7 +293,7 @@ impl Content<'_> {
 
 /// The passes of a frame, in their order.
 struct Passes<'a> {
-    shadow: Option<&'a ShadowPass>,
+    shadow: Option<&'a Shadow>,
     shading: Shading<'a>,
 }
 

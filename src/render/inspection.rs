@@ -19,6 +19,16 @@ pub enum Inspection {
     EyeAndRoughness,
     /// L of the lamp of this number, and the largest channel of f0; -1 where nothing arrives from it.
     LightAndF0(u32),
+    /// Where it is, and how open the place is to its surroundings, 0..1.
+    PositionAndOpening,
+    /// Diffuse reflectance.
+    Albedo,
+    /// Specular reflectance at normal incidence, as the pipeline's Fresnel term takes it.
+    F0,
+    /// Radiance given off.
+    Emission,
+    /// How much of the light of the lamp of this number comes through, 0..1.
+    Shadow(u32),
 }
 
 impl Inspection {
@@ -29,6 +39,11 @@ impl Inspection {
             Self::NormalAndMaterial => (values::INSPECT_NORMAL, 0),
             Self::EyeAndRoughness => (values::INSPECT_EYE, 0),
             Self::LightAndF0(light) => (values::INSPECT_LIGHT, light),
+            Self::PositionAndOpening => (values::INSPECT_POSITION, 0),
+            Self::Albedo => (values::INSPECT_ALBEDO, 0),
+            Self::F0 => (values::INSPECT_F0, 0),
+            Self::Emission => (values::INSPECT_EMISSION, 0),
+            Self::Shadow(light) => (values::INSPECT_SHADOW, light),
         };
         [
             (constants::INSPECTED, what),

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::interface::reflected::values;
 use crate::interface::{ProbeInput, spirv};
+use crate::reference::ladders::{Diffuse, Fresnel, Specular};
 use crate::scene::suggest;
 
 /// With how much arithmetic a function is evaluated.
@@ -431,6 +432,34 @@ pub const FUNCTIONS: &[Function] = &[
     },
 ];
 
+/// What the library calls a base.
+pub fn name_of_diffuse(tier: Diffuse) -> &'static str {
+    match tier {
+        Diffuse::Qon => "oren-nayar",
+        Diffuse::Slides => "slides-oren-nayar",
+        other => other.name(),
+    }
+}
+
+/// What it calls facets.
+pub fn name_of_specular(tier: Specular) -> &'static str {
+    match tier {
+        Specular::Slides => "slides-cook-torrance",
+        other => other.name(),
+    }
+}
+
+/// What it calls a Fresnel term.
+pub fn name_of_fresnel(tier: Fresnel) -> &'static str {
+    match tier {
+        Fresnel::Scale | Fresnel::Schlick => "schlick-f",
+        Fresnel::F82 => "f82-f",
+        Fresnel::Dielectric => "dielectric-f",
+        Fresnel::Conductor => "conductor-f",
+        Fresnel::Spectral => "spectral-f",
+    }
+}
+
 /// A sum of its inputs: what an evaluation costs without a function. Not among `FUNCTIONS`.
 pub static NOTHING: Function = Function {
     name: "nothing",
@@ -443,6 +472,25 @@ pub static NOTHING: Function = Function {
     shape: Shape::Flat,
     shader: spirv::PROBE_COMP,
     constant: values::FUNCTION_NOTHING,
+};
+
+/// A whole model under one lamp, all channels. Not among `FUNCTIONS`: it is timed, and judged in pictures.
+pub static MODEL: Function = Function {
+    name: "model",
+    takes: "roughness, f0, 0 to 1; four numbers that albedo, colour and Fresnel terms are made of, 0.1 to 0.9",
+    gives: "radiance of the three channels together under 1 lx",
+    source: "shading/models.glsl",
+    tiers: PLAIN,
+    is_listing: false,
+    extra: &[PART, PART, PART, PART],
+    shape: Shape::Flat,
+    shader: spirv::PROBE_MODEL_COMP,
+    constant: 0,
+};
+
+const PART: Extra = Extra {
+    name: "part",
+    range: (0.1, 0.9),
 };
 
 impl Function {

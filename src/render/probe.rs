@@ -4,14 +4,16 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::library::{Function, Tier};
+use super::library::{Function, MODEL, Tier};
 use super::missing_table;
+use super::variant::Variant;
 use crate::gpu::{
     Binding, BindingKind, Buffer, BufferUse, ComputePipeline, Constant, DescriptorSet, Device,
     Error, PipelineCache, PipelineLayout, Recorder, Resource, SetLayout, Spirv, Timestamps,
 };
 use crate::interface::reflected::{bindings, constants, values};
 use crate::interface::{ProbeInput, ProbeResult};
+use crate::reference::shade::Terms;
 
 /// Invocations of a dispatch: 16 MiB of inputs and 4 of results.
 const MOST_INVOCATIONS: u32 = 1 << 18;
@@ -51,6 +53,8 @@ pub struct Probe {
     cache: PipelineCache,
     function: &'static Function,
     tier: Tier,
+    /// Of a whole model.
+    variant: Option<Variant>,
     missing: Arc<Buffer>,
     /// One for each source of inputs that was asked for: a CPU driver takes a second to compile one.
     made: Mutex<Vec<(i32, Arc<ComputePipeline>)>>,
@@ -80,7 +84,7 @@ impl Probe {
         let layout = SetLayout::new(device, "probe", &BINDINGS)?;
         let bytes = (PUSHED * size_of::<u32>()) as u32;
         let missing = match function.name {
-            "ggx-multi" => missing_table::table(None),
+            "ggx-multi" | "model" => missing_table::table(None),
             _ => missing_table::nothing(),
         };
         let missing = bytemuck::cast_slice(&missing);
@@ -97,7 +101,19 @@ impl Probe {
             layout,
             function,
             tier,
+            variant: None,
             made: Mutex::default(),
+        })
+    }
+
+    /// A probe of a whole model, or of one of its lobes: the terms say which; light from around is none of it.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn of_model(device: &Arc<Device>, variant: Variant) -> Result<Self, Error> {
+        Ok(Self {
+            variant: Some(variant),
+            ..Self::new(device, &MODEL, Tier::F32)?
         })
     }
 
@@ -209,9 +225,18 @@ impl Probe {
             (constants::PROBE_SHAPE, self.function.shape.constant()),
         ]
         .map(|(id, value)| Constant { id, value });
+        let constants = [&constants[..], &self.model_constants()].concat();
         let shader = Spirv(self.function.shader);
         let layout = &self.pipeline_layout;
         ComputePipeline::new(&self.device, layout, &self.cache, &name, shader, &constants)
+    }
+
+    /// Tiers, and lobes.
+    fn model_constants(&self) -> Vec<Constant> {
+        let Some(variant) = self.variant else {
+            return Vec::new();
+        };
+        model_constants(&variant)
     }
 
     fn pushed(&self, job: &Job) -> [u32; PUSHED] {
@@ -240,6 +265,23 @@ impl Probe {
             results,
         })
     }
+}
+
+/// What `probe_model.comp` is specialised with.
+pub fn model_constants(variant: &Variant) -> Vec<Constant> {
+    let Terms {
+        diffuse, specular, ..
+    } = variant.terms;
+    let effects = [
+        (constants::EFFECT_DIFFUSE_LOBE, diffuse),
+        (constants::EFFECT_ROUGH_DIFFUSE, diffuse),
+        (constants::EFFECT_SPECULAR_LOBE, specular),
+    ];
+    let effects = effects.map(|(id, on)| Constant {
+        id,
+        value: on.into(),
+    });
+    variant.constants().into_iter().chain(effects).collect()
 }
 
 /// The probe's set, and what it points at.

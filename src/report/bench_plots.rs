@@ -404,6 +404,7 @@ fn point(report: &BenchReport, i: usize, x: f64, value: Value) -> Option<Point> 
         y,
         low,
         high,
+        across: None,
         anchor: anchor(i),
         told: format!("{}: {}\n{}{times}", plain(&row.mode), cell(row), figure(y)),
     })

@@ -46,6 +46,7 @@ pub enum Shape {
 }
 
 pub struct Line {
+    /// At its end; empty for a line that is told by another.
     pub name: String,
     pub style: Style,
     pub points: Vec<Point>,
@@ -58,6 +59,8 @@ pub struct Point {
     pub y: f64,
     pub low: Option<f64>,
     pub high: Option<f64>,
+    /// The interval of `x`.
+    pub across: Option<(f64, f64)>,
     /// Where a click leads: an anchor of the page.
     pub anchor: String,
     /// What the pointer is told.
@@ -195,7 +198,9 @@ pub fn chart(chart: &Chart) -> Option<String> {
         BOTTOM,
         TOP,
     )?;
-    let x = Scale::over(points().map(|point| point.x), LEFT, RIGHT)?;
+    let across = points().filter_map(|point| point.across);
+    let across = across.flat_map(|(low, high)| [low, high]);
+    let x = Scale::over(points().map(|point| point.x).chain(across), LEFT, RIGHT)?;
     let mut svg = format!(
         "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{} against {}\">\n",
         escape(&chart.y),
@@ -327,6 +332,15 @@ fn draw_line(svg: &mut String, line: &Line, x: &Scale, y: &Scale) {
                 px - 3.0
             );
         }
+        if let Some((low, high)) = point.across {
+            let (low, high) = (x.at(low.max(x.low)), x.at(high.clamp(x.low, x.high)));
+            put!(
+                bars,
+                "M{low:.1} {py:.1}H{high:.1}M{low:.1} {:.1}v6M{high:.1} {:.1}v6",
+                py - 3.0,
+                py - 3.0
+            );
+        }
     }
     put!(svg, "<path class=\"line {colour}{dashed}\" d=\"{path}\"/>");
     if !bars.is_empty() {
@@ -358,7 +372,7 @@ fn marker(svg: &mut String, style: Style, x: f64, y: f64, point: &Point) {
 /// Names at the ends of lines, moved apart where they would meet.
 fn names(svg: &mut String, chart: &Chart, lines: &[Line], x: &Scale, y: &Scale) {
     let mut names = Vec::new();
-    for line in lines {
+    for line in lines.iter().filter(|line| !line.name.is_empty()) {
         if let Some(last) = line.points.last() {
             names.push((
                 y.at(last.y),

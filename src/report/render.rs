@@ -14,6 +14,8 @@ pub struct RenderReport {
     pub scene: SceneSize,
     /// What it took.
     pub frame: FrameReport,
+    /// Why its lighting model was taken; null where it was named.
+    pub choice: Option<ChoiceRow>,
     /// What came out.
     pub image: Image,
     /// Messages of the validation layers; 0 where they are off.
@@ -41,6 +43,23 @@ pub struct SceneSize {
     pub materials: usize,
     /// Lights.
     pub lights: usize,
+}
+
+/// A model that was taken to keep a promise.
+#[derive(Clone, PartialEq, Debug, serde::Serialize)]
+pub struct ChoiceRow {
+    /// The largest mean of FLIP that was allowed.
+    pub max_error: Option<f64>,
+    /// The longest frame that was.
+    pub budget_ms: Option<f64>,
+    /// The model.
+    pub lighting: String,
+    /// Its mean of FLIP against the reference picture.
+    pub flip_mean: f64,
+    /// Its frame as it was measured for a budget.
+    pub frame_ms: Option<f64>,
+    /// The predicted time of an evaluation, over the default model's.
+    pub ns_of_default: f64,
 }
 
 /// The picture.

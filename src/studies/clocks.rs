@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::gpu::{Device, Error};
 use crate::interface::ProbeInput;
-use crate::math::statistics::{Interval, median, paired_ratio};
+use crate::math::statistics::{Interval, mad, median, paired_ratio};
 use crate::render::library::{NOTHING, Tier};
 use crate::render::probe::{Probe, ProbeClock};
 
@@ -44,6 +44,11 @@ impl Times {
     /// The median of a form, ns.
     pub fn of(&self, form: usize) -> Option<f64> {
         median(&self.0[form])
+    }
+
+    /// The median distance of a form's samples from it.
+    pub fn mad(&self, form: usize) -> Option<f64> {
+        mad(&self.0[form])
     }
 
     /// A form over another, round by round.

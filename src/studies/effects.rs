@@ -187,11 +187,11 @@ fn middle(times: &[f64]) -> f64 {
 }
 
 fn ratio(a: &[f64], b: &[f64]) -> Interval {
-    paired_ratio(&pairs(a, b)).unwrap_or(UNKNOWN)
+    paired_ratio(&pairs(a, b)).unwrap_or(Interval::UNKNOWN)
 }
 
 fn difference(a: &[f64], b: &[f64]) -> Interval {
-    paired_difference(&pairs(a, b)).unwrap_or(UNKNOWN)
+    paired_difference(&pairs(a, b)).unwrap_or(Interval::UNKNOWN)
 }
 
 fn pairs(a: &[f64], b: &[f64]) -> Vec<(f64, f64)> {
@@ -202,11 +202,3 @@ fn pairs(a: &[f64], b: &[f64]) -> Vec<(f64, f64)> {
 fn percent(ratio: f64) -> f64 {
     (ratio - 1.0) * 100.0
 }
-
-/// What a clock that stood still says.
-const UNKNOWN: Interval = Interval {
-    estimate: f64::NAN,
-    low: f64::NEG_INFINITY,
-    high: f64::INFINITY,
-    coverage: 1.0,
-};

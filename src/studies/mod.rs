@@ -3,6 +3,7 @@
 //! A study measures and returns a table; it neither parses nor prints.
 
 mod clocks;
+pub mod cost;
 mod difference;
 mod effects;
 mod first_draw;

@@ -1,6 +1,7 @@
 //! Does the program end with the right code, say why, and leave no half-written file?
 
 mod bench;
+mod cost;
 mod devices;
 mod diff;
 mod effects;

@@ -66,6 +66,65 @@ fn layers_are_drawn_and_read_in_turn() -> Result<(), Error> {
     })
 }
 
+/// Draws to an array and reads it, or does the first alone.
+fn drawn(gpu: &Gpu, array: &DepthArray, read: bool) -> Result<(), Error> {
+    let color = image(gpu, TargetFormat::Rgba32Float)?;
+    let depth = image(gpu, TargetFormat::Depth32Float)?;
+    let reads = [array];
+    let info = PassInfo {
+        name: "reading",
+        color: &color,
+        resolve: None,
+        depth: &depth,
+        reads: &reads,
+    };
+    let mut recorder = Recorder::new(&gpu.device, "test")?;
+    recorder.depth_pass(&depth_pass(array, 0), |_| {});
+    if read {
+        recorder.pass(&info, |_| {});
+    }
+    recorder.submit()?;
+    Ok(())
+}
+
+#[test]
+fn what_was_read_last_can_be_kept() -> Result<(), Error> {
+    with_gpu(|gpu| {
+        let array = DepthArray::new(&gpu.device, "test", 16, 1)?;
+        drawn(gpu, &array, true)?;
+        for _ in 0..2 {
+            let color = image(gpu, TargetFormat::Rgba32Float)?;
+            let depth = image(gpu, TargetFormat::Depth32Float)?;
+            let reads = [&array];
+            let info = PassInfo {
+                name: "reading",
+                color: &color,
+                resolve: None,
+                depth: &depth,
+                reads: &reads,
+            };
+            let mut recorder = Recorder::new(&gpu.device, "test")?;
+            recorder.keep(&array);
+            recorder.pass(&info, |_| {});
+            assert_eq!(recorder.submit()?.len(), 1);
+        }
+        Ok(())
+    })
+}
+
+#[test]
+#[should_panic(expected = "there is something to keep")]
+fn what_was_drawn_to_last_cannot_be_kept() {
+    let refused = with_gpu(|gpu| {
+        let array = DepthArray::new(&gpu.device, "test", 16, 1)?;
+        drawn(gpu, &array, true)?;
+        drawn(gpu, &array, false)?;
+        Recorder::new(&gpu.device, "test")?.keep(&array);
+        Ok::<(), Error>(())
+    });
+    panic!("it was kept: {refused:?}");
+}
+
 #[test]
 fn sides_and_layers_of_none_or_beyond_the_device_are_refused() {
     with_gpu(|gpu| {

@@ -7,6 +7,7 @@ mod blending;
 mod canaries;
 mod claim;
 mod corrections;
+mod cost;
 mod depth_passes;
 mod device;
 mod effects;

@@ -6,10 +6,10 @@
 
 use glam::{Affine3A, DVec3, Vec3};
 use umber::reference::hemisphere::Surroundings;
-use umber::reference::punctual::{self, Place};
 use umber::reference::shade::{self, Surface};
 use umber::render::{Picture, Variant};
 use umber::scene::{Ambient, Camera, Light, LightKind, Material, Mesh, Object, Projection, Scene};
+use umber::studies::cost::reference_light;
 
 use crate::harness::{Gpu, with_gpu};
 use crate::tolerances;
@@ -157,7 +157,7 @@ impl Patches {
         let camera = self.camera();
         let to_eye = -(camera.target - camera.position).normalize();
         let surface = surface(&patch.material, self.middle(i), patch.normal, to_eye);
-        let lights: Vec<_> = self.lights.iter().map(light).collect();
+        let lights: Vec<_> = self.lights.iter().map(reference_light).collect();
         let around = surroundings(&self.ambient);
         let ([r, g, b], alpha) =
             shade::shade(&surface, &lights, &around, variant.lighting, variant.terms);
@@ -215,63 +215,6 @@ pub fn surroundings(ambient: &Ambient) -> Surroundings {
     Surroundings {
         sky: wide(ambient.sky),
         ground: wide(ambient.ground),
-    }
-}
-
-/// A light as the reference has it, from the scene's numbers alone.
-pub fn light(light: &Light) -> punctual::Light {
-    let color = wide(light.color);
-    let (place, strength, radius, axis, (cone_scale, cone_offset)) = match light.kind {
-        LightKind::Directional {
-            direction,
-            illuminance,
-            angular_diameter_degrees,
-        } => {
-            let half = f64::from(angular_diameter_degrees).to_radians() / 2.0;
-            let place = Place::Towards(-direction.as_dvec3());
-            (place, illuminance, half.tan(), DVec3::NEG_Y, (0.0, 1.0))
-        }
-        LightKind::Point {
-            position,
-            intensity,
-            radius,
-        } => {
-            let place = Place::At(position.as_dvec3());
-            (
-                place,
-                intensity,
-                f64::from(radius),
-                DVec3::NEG_Y,
-                (0.0, 1.0),
-            )
-        }
-        LightKind::Spot {
-            position,
-            direction,
-            intensity,
-            radius,
-            inner_degrees,
-            outer_degrees,
-        } => {
-            let place = Place::At(position.as_dvec3());
-            let radians = |degrees: f32| f64::from(degrees).to_radians();
-            let cone = punctual::cone(radians(inner_degrees), radians(outer_degrees));
-            (
-                place,
-                intensity,
-                f64::from(radius),
-                direction.as_dvec3(),
-                cone,
-            )
-        }
-    };
-    punctual::Light {
-        place,
-        intensity: color * f64::from(strength),
-        radius,
-        axis,
-        cone_scale,
-        cone_offset,
     }
 }
 

@@ -5,9 +5,10 @@ use umber::reference::shade::{self, Lighting, Terms};
 use umber::render::Variant;
 use umber::scene::shapes::Shape;
 use umber::scene::{Ambient, Camera, Mesh, Object, Projection, Scene};
+use umber::studies::cost::reference_light;
 
 use crate::harness::{TERM_SETS, with_gpu};
-use crate::patches::{light, material, surface, surroundings, towards};
+use crate::patches::{material, surface, surroundings, towards};
 use crate::tolerances;
 
 const SIZE: u32 = 192;
@@ -91,7 +92,7 @@ fn assert_sphere(transform: Affine3A, least_radius: f64, roughness: f32, variant
     });
     let triangles = triangles(&scene.meshes[0], &transform);
     let around = surroundings(&scene.ambient);
-    let lights: Vec<_> = scene.lights.iter().map(light).collect();
+    let lights: Vec<_> = scene.lights.iter().map(reference_light).collect();
     let winding = transform.matrix3.determinant().signum();
     let (mut compared, mut worst) = (0, 0.0_f64);
     for y in (0..SIZE).step_by(8) {

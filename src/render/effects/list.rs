@@ -9,7 +9,7 @@ pub struct Effect {
     /// What `--effects` and tables call it; its file is `shaders-glsl/effects/NAME.glsl`, with `_` for `-`.
     pub name: &'static str,
     /// Id of its specialization constant.
-    pub(super) constant: u32,
+    pub constant: u32,
     /// Whose records carry its bit, and the rule by which they call for it.
     pub(super) rule: Rule,
     /// Whether it is the identity for a record that does not call for it, and cheaper to do than to ask about: with

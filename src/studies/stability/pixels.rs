@@ -2,9 +2,8 @@
 
 use crate::gpu::Samples;
 use crate::interface::ProbeInput;
-use crate::reference::ladders::{Diffuse, Specular};
 use crate::reference::shade::Lighting;
-use crate::render::library::{Function, Tier};
+use crate::render::library::{Function, Tier, name_of_diffuse, name_of_specular};
 use crate::render::probe::Probe;
 use crate::render::{
     Defect, Frame, Inspection, Picture, RenderError, Renderer, Settings, Uploaded,
@@ -103,28 +102,11 @@ fn functions(lighting: Lighting) -> impl Iterator<Item = &'static Function> {
         Lighting::Phong => vec![],
         Lighting::Slides => vec!["slides-oren-nayar", "slides-cook-torrance"],
         Lighting::CORRECTED => vec!["corrected"],
-        Lighting::Mixed(mix) => vec![of_diffuse(mix.diffuse), of_specular(mix.specular)],
+        Lighting::Mixed(mix) => vec![name_of_diffuse(mix.diffuse), name_of_specular(mix.specular)],
     };
     names
         .into_iter()
         .filter_map(|name| Function::of_name(name).ok())
-}
-
-/// What the library calls a base.
-fn of_diffuse(tier: Diffuse) -> &'static str {
-    match tier {
-        Diffuse::Qon => "oren-nayar",
-        Diffuse::Slides => "slides-oren-nayar",
-        other => other.name(),
-    }
-}
-
-/// What it calls facets.
-fn of_specular(tier: Specular) -> &'static str {
-    match tier {
-        Specular::Slides => "slides-cook-torrance",
-        other => other.name(),
-    }
 }
 
 fn cause(light: &str, function: &'static Function, input: ProbeInput, value: f32) -> Cause {

@@ -1,0 +1,311 @@
+//! How does what was measured become rows?
+
+use std::sync::Arc;
+
+use super::evaluations::Evaluation;
+use super::forms::{Form, TERMS};
+use super::fragments::Fragment;
+use super::gallery::Exhibit;
+use super::instructions::instructions;
+use super::pareto::{Point, front};
+use super::{Measured, name};
+use crate::gpu::{Device, Error};
+use crate::reference::ladders::{Diffuse, Fresnel, Mix, Specular};
+use crate::reference::shade::Lighting;
+use crate::render::library::{Function, Tier, name_of_diffuse, name_of_fresnel, name_of_specular};
+use crate::render::{Cache, Picture};
+use crate::report::{CostMethod, Interval95, LampRow, ModelRow, PromiseRow, SceneCost, TierRow};
+use crate::studies::difference::Display;
+use crate::studies::ladders;
+use crate::studies::stability::{Amount, CASES, Study};
+
+/// What the study found.
+pub struct Found {
+    /// Tiers and models.
+    pub rows: Vec<TierRow>,
+    /// Fragments as lamps grow.
+    pub lamps: Vec<LampRow>,
+    /// What was chosen.
+    pub promises: Vec<PromiseRow>,
+    /// Pictures for people.
+    pub shown: Vec<Shown>,
+    /// How.
+    pub method: CostMethod,
+}
+
+/// A picture for people.
+pub struct Shown {
+    /// The scene's file.
+    pub scene: String,
+    /// What drew it.
+    pub tier: String,
+    /// Its mean of FLIP; none for the reference.
+    pub flip_mean: Option<f64>,
+    /// It.
+    pub picture: Picture,
+    /// How it is shown.
+    pub display: Display,
+}
+
+/// Models of each scene's sheet, beside the reference.
+const SHEET: usize = 7;
+
+/// Values behind a rounding error.
+const JUDGED: usize = 4096;
+
+/// The rows of `umber models`.
+pub fn errors(cache: &Cache, paths: usize) -> Vec<ModelRow> {
+    ladders::errors(cache, paths, &|_| {})
+}
+
+/// A row for each form.
+///
+/// # Errors
+/// There is no memory, or the driver fails.
+pub(super) fn rows(
+    device: &Arc<Device>,
+    measured: &Measured,
+    exhibits: &[Exhibit],
+    errors: &[ModelRow],
+) -> Result<Vec<TierRow>, Error> {
+    let lightings: Vec<Lighting> = measured.forms.iter().map(|form| form.lighting).collect();
+    // Tiers and models are not each other's rivals.
+    let tiers = measured.forms.iter().filter(|form| form.term != "model");
+    let (of_tiers, of_models) = lightings.split_at(tiers.count());
+    let scenes = exhibits.iter().map(|exhibit| {
+        let tiers = exhibit.rows(of_tiers).into_iter().map(untimed);
+        tiers.chain(exhibit.rows(of_models)).collect::<Vec<_>>()
+    });
+    let scenes: Vec<_> = scenes.collect();
+    let variants: Vec<_> = measured.forms.iter().map(|form| form.variant).collect();
+    let instructions = instructions(&variants);
+    let mut rows = Vec::new();
+    for (i, form) in measured.forms.iter().enumerate() {
+        let seen = scenes.iter().filter_map(|rows| rows[i].clone());
+        let mut row = row(form, seen.collect());
+        timed(
+            &mut row,
+            &measured.evaluations[i],
+            measured.fragments.get(i),
+        );
+        row.spirv_instructions = instructions.get(i).copied().flatten();
+        match errors
+            .iter()
+            .find(|row| row.term == form.term && row.tier == form.tier)
+        {
+            Some(known) => known_errors(&mut row, known),
+            None => row.model_error_rms = radiance_error(exhibits, form.lighting),
+        }
+        row.rounding_error_max = rounding_error(device, form)?;
+        rows.push(row);
+    }
+    for term in TERMS {
+        mark_front(&mut rows, term);
+    }
+    Ok(rows)
+}
+
+/// A tier's frame is the frame of a model, and has its place there.
+fn untimed(row: Option<SceneCost>) -> Option<SceneCost> {
+    let none = Interval95 {
+        low: None,
+        high: None,
+    };
+    row.map(|row| SceneCost {
+        frame_ms: None,
+        of_default: None,
+        of_default_95: none,
+        pareto: false,
+        ..row
+    })
+}
+
+fn row(form: &Form, scenes: Vec<SceneCost>) -> TierRow {
+    let none = Interval95 {
+        low: None,
+        high: None,
+    };
+    let worst = scenes
+        .iter()
+        .max_by(|a, b| a.flip_mean.total_cmp(&b.flip_mean));
+    TierRow {
+        term: form.term.to_owned(),
+        tier: form.tier.clone(),
+        model_error_rms: None,
+        model_error_max: None,
+        rounding_error_max: None,
+        albedo_error_max: None,
+        reciprocity_error_max: None,
+        flip_mean: worst.map(|scene| scene.flip_mean),
+        flip_p95: worst.map(|scene| scene.flip_p95),
+        code_max: scenes.iter().map(|scene| scene.code_max).reduce(f64::max),
+        ns_per_evaluation: None,
+        ns_mad: None,
+        of_slides: None,
+        of_slides_95: none,
+        ns_per_fragment: None,
+        fragment_of_slides: None,
+        fragment_of_slides_95: none,
+        spirv_instructions: None,
+        needs_table: needs_table(form),
+        pareto: false,
+        scenes,
+    }
+}
+
+fn needs_table(form: &Form) -> bool {
+    match (form.term, form.lighting) {
+        ("specular" | "model", Lighting::Mixed(mix)) => mix.specular == Specular::GgxMulti,
+        _ => false,
+    }
+}
+
+fn timed(row: &mut TierRow, evaluation: &Evaluation, fragment: Option<&Fragment>) {
+    row.ns_per_evaluation = Some(evaluation.ns);
+    row.ns_mad = Some(evaluation.ns_mad);
+    row.of_slides = Some(evaluation.of_slides.estimate);
+    row.of_slides_95 = evaluation.of_slides.into();
+    if let Some(fragment) = fragment {
+        row.ns_per_fragment = Some(fragment.ns);
+        row.fragment_of_slides = Some(fragment.of_slides.estimate);
+        row.fragment_of_slides_95 = fragment.of_slides.into();
+    }
+}
+
+fn known_errors(row: &mut TierRow, known: &ModelRow) {
+    let cases = known.cases.iter();
+    let squares: f64 = cases.clone().map(|case| case.error_rms.powi(2)).sum();
+    row.model_error_rms = Some((squares / known.cases.len() as f64).sqrt());
+    row.model_error_max = cases.map(|case| case.error_max).reduce(f64::max);
+    row.albedo_error_max = known.albedo_error_max;
+    row.reciprocity_error_max = known.reciprocity_error_max;
+}
+
+fn radiance_error(exhibits: &[Exhibit], lighting: Lighting) -> Option<f64> {
+    let seen = exhibits.iter().filter_map(|exhibit| exhibit.seen(lighting));
+    seen.map(|look| look.radiance_error).reduce(f64::max)
+}
+
+/// Against the twin in f64, where an accuracy is promised.
+fn rounding_error(device: &Arc<Device>, form: &Form) -> Result<Option<f64>, Error> {
+    let Some(function) = function(form).and_then(|name| Function::of_name(name).ok()) else {
+        return Ok(None);
+    };
+    let amount = Amount {
+        case: JUDGED,
+        chance: 0,
+        worst: 0,
+        seed: 1,
+    };
+    let study = Study::new(device, function, Tier::F32, amount)?;
+    let row = study.case(&CASES[0], &|_| {})?;
+    Ok(row.max_relative_error)
+}
+
+fn function(form: &Form) -> Option<&'static str> {
+    let named = |name: &str| name == form.tier;
+    match form.term {
+        "diffuse" => Diffuse::ALL
+            .into_iter()
+            .find(|tier| named(tier.name()))
+            .map(name_of_diffuse),
+        "specular" => Specular::ALL
+            .into_iter()
+            .find(|tier| named(tier.name()))
+            .map(name_of_specular),
+        "fresnel" => Fresnel::ALL
+            .into_iter()
+            .find(|tier| named(tier.name()))
+            .map(name_of_fresnel),
+        _ => None,
+    }
+}
+
+fn mark_front(rows: &mut [TierRow], term: &str) {
+    let mut own: Vec<&mut TierRow> = rows.iter_mut().filter(|row| row.term == term).collect();
+    let points = own.iter().map(|row| Point {
+        time: row.of_slides.unwrap_or(f64::NAN),
+        error: match term {
+            "model" => row.flip_mean.unwrap_or(f64::NAN),
+            _ => row.model_error_rms.unwrap_or(f64::NAN),
+        },
+    });
+    let on = front(&points.collect::<Vec<_>>());
+    for (row, on) in own.iter_mut().zip(on) {
+        row.pareto = on;
+    }
+}
+
+/// Each scene's reference, then models from the worst to the best: those on its front, and the slides'.
+pub(super) fn shown(exhibits: &[Exhibit], models: &[Lighting]) -> Vec<Shown> {
+    let mut all = Vec::new();
+    for exhibit in exhibits {
+        let display = exhibit.sight().display();
+        all.push(Shown {
+            scene: exhibit.name.clone(),
+            tier: "reference, f64".to_owned(),
+            flip_mean: None,
+            picture: exhibit.reference().clone(),
+            display,
+        });
+        let rows = exhibit.rows(models);
+        let on_front = |lighting: &Lighting, row: &Option<SceneCost>| {
+            let mix = matches!(lighting, Lighting::Mixed(Mix { .. }));
+            !mix || row.as_ref().is_some_and(|row| row.pareto)
+        };
+        let mut front: Vec<Lighting> = models
+            .iter()
+            .zip(&rows)
+            .filter(|(lighting, row)| on_front(lighting, row))
+            .map(|(lighting, _)| *lighting)
+            .collect();
+        let error = |lighting: &Lighting| {
+            let look = exhibit.seen(*lighting);
+            look.map_or(f64::NAN, |look| look.flip_mean)
+        };
+        front.sort_by(|a, b| error(b).total_cmp(&error(a)));
+        for lighting in spread(&front, SHEET) {
+            if let Some(look) = exhibit.seen(lighting) {
+                all.push(Shown {
+                    scene: exhibit.name.clone(),
+                    tier: name(lighting),
+                    flip_mean: Some(look.flip_mean),
+                    picture: look.picture.clone(),
+                    display,
+                });
+            }
+        }
+    }
+    all
+}
+
+/// So many of them, first and last among them, evenly.
+fn spread<T: Copy>(all: &[T], count: usize) -> Vec<T> {
+    if all.len() <= count {
+        return all.to_vec();
+    }
+    let last = (count - 1).max(1);
+    (0..count)
+        .map(|i| all[i * (all.len() - 1) / last])
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_holds_the_ends() {
+        let all: Vec<usize> = (0..20).collect();
+        assert_eq!(spread(&all, 4), [0, 6, 12, 19]);
+        assert_eq!(spread(&all[..3], 4), [0, 1, 2]);
+    }
+
+    #[test]
+    fn every_tier_has_a_function() {
+        for form in super::super::forms::tiers() {
+            let name = function(&form).unwrap_or_default();
+            assert!(Function::of_name(name).is_ok(), "{form:?}");
+        }
+    }
+}
