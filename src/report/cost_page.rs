@@ -91,8 +91,8 @@ fn write_method(page: &mut String, report: &CostReport) {
     let items = [
         (
             "ns",
-            "Time of an evaluation in a compute shader that includes the files that frames are shaded with, at two million inputs \
-             a sample: any light and eye above the surface, any material. Median of 21 samples, net of a shader that only reads and \
+            "Time of an evaluation in a compute shader that includes the files that frames are shaded with, at half a million inputs \
+             a sample, or three times as many: any light and eye above the surface, any material. Median of 21 samples, net of a shader that only reads and \
              sums. Each form takes turns with the slides' listings, and is compared with them round by round."
                 .to_owned(),
         ),

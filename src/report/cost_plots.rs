@@ -158,7 +158,11 @@ fn drawn(mut spots: Vec<Spot>, x: &str, y: &str) -> Option<String> {
                 true => style("red", false),
                 false => style("grey", true),
             },
-            points: vec![point(spot)],
+            // Of a crowd, bars would hide each other.
+            points: vec![Point {
+                across: spot.across.filter(|_| named),
+                ..point(spot)
+            }],
         });
     }
     chart(&Chart {

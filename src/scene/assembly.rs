@@ -145,6 +145,7 @@ fn finish(
     let (objects, materials) = dress(placed, palette, &mut textures, layers)?;
     let mut warnings = loader.warnings;
     warnings.extend(textures.warnings.into_text());
+    warnings.extend(lights.iter().filter_map(lights::Light::told_if_dark));
     let camera = description.camera.clone().unwrap_or_default();
     let ambient = description.ambient.clone().unwrap_or_default();
     let mut meshes = loader.meshes;

@@ -31,6 +31,25 @@ pub struct Light {
     pub kind: LightKind,
 }
 
+impl Light {
+    /// That it gives no light, for the user to read; none where it gives some.
+    pub(super) fn told_if_dark(&self) -> Option<String> {
+        let (key, strength) = match self.kind {
+            LightKind::Directional { illuminance, .. } => ("illuminance", illuminance),
+            LightKind::Point { intensity, .. } | LightKind::Spot { intensity, .. } => {
+                ("intensity", intensity)
+            }
+        };
+        let key = match (strength == 0.0, self.color == [0.0; 3]) {
+            (false, false) => return None,
+            (true, _) => key,
+            (false, true) => "color",
+        };
+        let name = quote::key(&["light", &self.name]);
+        Some(format!("{name} gives no light: its {key} is 0"))
+    }
+}
+
 /// How a lamp sends its light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightKind {

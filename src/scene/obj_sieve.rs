@@ -258,6 +258,9 @@ impl<R: BufRead> Sieve<R> {
         if self.normals >= MOST_VERTICES {
             return Err(self.refuse("has more than 4294967294 normals: split the file"));
         }
+        if xyz == [0.0; 3] {
+            self.warn("a normal without a direction: the triangles' own stand in for it");
+        }
         self.put_vector(b"vn", &values, 1.0, xyz);
         Ok(())
     }

@@ -9,6 +9,7 @@ mod conductor;
 mod constants;
 mod cook_torrance;
 mod coordinates;
+mod cost_record;
 mod cost_report;
 mod coupled;
 mod crease_normals;

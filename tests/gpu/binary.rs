@@ -6,6 +6,7 @@ mod devices;
 mod diff;
 mod effects;
 mod export;
+mod hard_inputs;
 mod inputs;
 mod models;
 mod options;

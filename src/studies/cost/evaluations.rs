@@ -33,18 +33,19 @@ pub const SLIDES: Variant = Variant {
 const TOGETHER: usize = 12;
 
 /// Inputs: half a million evaluations a sample, some milliseconds of a CPU.
-const INPUTS: usize = 1 << 12;
+pub const INPUTS: usize = 1 << 12;
 
-/// Measures each form beside the slides' listings. `progress` hears of each.
+/// Measures each form beside the slides' listings, at so many inputs. `progress` hears of each.
 ///
 /// # Errors
 /// There is no memory, or the driver fails.
 pub fn evaluations(
     device: &Arc<Device>,
     variants: &[Variant],
+    inputs: usize,
     progress: &dyn Fn(),
 ) -> Result<Vec<Evaluation>, Error> {
-    let inputs = inputs();
+    let inputs = drawn(inputs);
     let mut all = Vec::new();
     for some in variants.chunks(TOGETHER) {
         let forms = [SLIDES].into_iter().chain(some.iter().copied());
@@ -65,8 +66,8 @@ pub fn evaluations(
 }
 
 /// Light and eye anywhere above the surface, and any material.
-fn inputs() -> Vec<ProbeInput> {
-    let mut inputs = CASES[0].inputs(1, INPUTS);
+fn drawn(count: usize) -> Vec<ProbeInput> {
+    let mut inputs = CASES[0].inputs(1, count);
     let mut rng = fastrand::Rng::with_seed(1);
     for input in &mut inputs {
         input.extra = MODEL.extra_at([(); 4].map(|()| rng.f32()));

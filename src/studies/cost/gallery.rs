@@ -132,7 +132,7 @@ impl<'s> Exhibit<'s> {
         let points = rows.iter().map(|row| Point {
             time: row
                 .as_ref()
-                .and_then(|row| row.frame_ms)
+                .and_then(|row| row.of_default)
                 .unwrap_or(f64::NAN),
             error: row.as_ref().map_or(f64::NAN, |row| row.flip_mean),
         });

@@ -39,7 +39,7 @@ use crate::render::effects::EffectSet;
 use crate::render::{Cache, Renderer, Uploaded, Variant};
 use crate::report::{CostMethod, Interval95, LampRow, PromiseRow};
 use crate::scene::Scene;
-use evaluations::{Evaluation, evaluations};
+use evaluations::{Evaluation, INPUTS, evaluations};
 use forms::{Form, model, tiers};
 use fragments::{Fragment, fragments};
 
@@ -65,6 +65,8 @@ const SWEEP: [u32; 4] = [1, 4, 16, 64];
 /// Frames of each form under lamps, and in the sweep.
 const FRAGMENT_ROUNDS: usize = 11;
 const SWEEP_ROUNDS: usize = 5;
+/// How many times as much `--full` measures of each form.
+const FULL: usize = 3;
 /// The promises that are tried.
 pub const PROMISES: [f64; 4] = [0.05, 0.02, 0.01, 0.005];
 
@@ -165,9 +167,11 @@ impl Measured {
         forms.extend(models.iter().map(|lighting| model(*lighting)));
         let variants: Vec<Variant> = forms.iter().map(|form| form.variant).collect();
         let in_frames = &variants[..in_frames.min(variants.len())];
+        let times = if options.full { FULL } else { 1 };
+        let rounds = FRAGMENT_ROUNDS * times;
         Ok(Self {
-            evaluations: evaluations(renderer.device(), &variants, progress)?,
-            fragments: fragments(renderer, in_frames, LAMPS, FRAGMENT_ROUNDS, progress)?,
+            evaluations: evaluations(renderer.device(), &variants, INPUTS * times, progress)?,
+            fragments: fragments(renderer, in_frames, LAMPS, rounds, progress)?,
             forms,
         })
     }
@@ -196,7 +200,7 @@ impl Prices {
             .iter()
             .map(|swap| model(Lighting::Mixed(*swap)).variant)
             .collect();
-        let times = evaluations(renderer.device(), &variants, progress)?;
+        let times = evaluations(renderer.device(), &variants, INPUTS, progress)?;
         let times = times.iter().map(|time| time.ns);
         Ok(Self(swaps.into_iter().zip(times).collect()))
     }

@@ -123,6 +123,20 @@ fn a_promise_picks_a_model_and_is_kept() -> Tested {
     Ok(())
 }
 
+/// Where nothing shines the cheapest model is right.
+#[test]
+fn a_scene_without_a_light_has_a_model_too() -> Tested {
+    let place = Place::empty()?;
+    let dark = "[model.square]\nshape = \"plane\"\n[ambient]\nsky = 0\nground = 0\n\
+                [light.lamp]\nkind = \"directional\"\ndirection = [0, -1, 0]\nilluminance = 0\n";
+    place.write("dark.toml", dark)?;
+    let run = place.render(&["dark.toml", "--size", "32x18", "--max-error", "0", "--json"])?;
+    let run = run.ends(0, &["it differs by 0.0000", "light.lamp gives no light"]);
+    let report: Value = serde_json::from_slice(&run.stdout)?;
+    assert_eq!(report["choice"]["flip_mean"], 0.0);
+    Ok(())
+}
+
 #[test]
 fn what_cannot_be_promised_is_refused() -> Tested {
     let place = Place::new()?;
