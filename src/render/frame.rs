@@ -41,6 +41,13 @@ pub struct FrameReport {
     pub gpu_ms: Option<f64>,
 }
 
+impl FrameReport {
+    /// Its time: the device's own, or the host's where the device has no clock; ms.
+    pub fn ms(&self) -> f64 {
+        self.gpu_ms.unwrap_or(self.submit_to_idle_ms)
+    }
+}
+
 /// A frame that can be drawn again and again.
 pub struct Frame<'s> {
     renderer: &'s Renderer,

@@ -13,7 +13,6 @@ use crate::gpu::{
 };
 use crate::interface::reflected::{bindings, constants, values};
 use crate::interface::{ProbeInput, ProbeResult};
-use crate::reference::shade::Terms;
 
 /// Invocations of a dispatch: 16 MiB of inputs and 4 of results.
 const MOST_INVOCATIONS: u32 = 1 << 18;
@@ -236,7 +235,11 @@ impl Probe {
         let Some(variant) = self.variant else {
             return Vec::new();
         };
-        model_constants(&variant)
+        let lobes = variant.lobes().map(|(id, on)| Constant {
+            id,
+            value: on.into(),
+        });
+        variant.constants().into_iter().chain(lobes).collect()
     }
 
     fn pushed(&self, job: &Job) -> [u32; PUSHED] {
@@ -265,23 +268,6 @@ impl Probe {
             results,
         })
     }
-}
-
-/// What `probe_model.comp` is specialised with.
-pub fn model_constants(variant: &Variant) -> Vec<Constant> {
-    let Terms {
-        diffuse, specular, ..
-    } = variant.terms;
-    let effects = [
-        (constants::EFFECT_DIFFUSE_LOBE, diffuse),
-        (constants::EFFECT_ROUGH_DIFFUSE, diffuse),
-        (constants::EFFECT_SPECULAR_LOBE, specular),
-    ];
-    let effects = effects.map(|(id, on)| Constant {
-        id,
-        value: on.into(),
-    });
-    variant.constants().into_iter().chain(effects).collect()
 }
 
 /// The probe's set, and what it points at.

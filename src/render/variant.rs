@@ -34,6 +34,18 @@ impl Variant {
         }
     }
 
+    /// The effects that lobes are, by the id of their constant, and whether a term counts them.
+    pub fn lobes(&self) -> [(u32, bool); 3] {
+        let Terms {
+            diffuse, specular, ..
+        } = self.terms;
+        [
+            (constants::EFFECT_DIFFUSE_LOBE, diffuse),
+            (constants::EFFECT_ROUGH_DIFFUSE, diffuse),
+            (constants::EFFECT_SPECULAR_LOBE, specular),
+        ]
+    }
+
     /// The specialization constants.
     pub fn constants(&self) -> [Constant; 7] {
         let lighting = match self.lighting {

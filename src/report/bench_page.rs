@@ -14,7 +14,7 @@ use super::plot::{escape, put};
 pub fn page(report: &BenchReport) -> String {
     let mut page = page::begin("What one pipeline saves", "umber bench", &report.device);
     write_headlines(&mut page, report);
-    write_figures(&mut page, report);
+    page::write_figures(&mut page, "Charts", &figures(report));
     write_method(&mut page, report);
     page::write_machine(&mut page, &report.device, &report.machine, &report.program);
     write_rows(&mut page, report);
@@ -33,23 +33,6 @@ fn write_headlines(page: &mut String, report: &BenchReport) {
         put!(page, "<li><a href=\"#{row}\">{text}</a></li>\n");
     }
     page.push_str("</ul>\n<p class=\"under\">In brackets: intervals with a confidence of 95 %. Each sentence leads to its row.</p>\n");
-}
-
-fn write_figures(page: &mut String, report: &BenchReport) {
-    let figures = figures(report);
-    if figures.is_empty() {
-        return;
-    }
-    page.push_str("<h2>Charts</h2>\n<div class=\"charts\">\n");
-    for figure in figures {
-        let (title, caption) = (escape(&figure.title), escape(&figure.caption));
-        put!(
-            page,
-            "<figure>\n<h3>{title}</h3>\n{}<figcaption>{caption}</figcaption>\n</figure>\n",
-            figure.svg
-        );
-    }
-    page.push_str("</div>\n");
 }
 
 /// What was timed, what the words mean, what it does not say, and how to do it again.

@@ -5,14 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::bench::{BenchReport, BenchRow};
 use super::bench_headlines::pick;
 use super::bench_words::{bounds, cell, count, figure, plain, ratio, records_only};
-use super::plot::{Bar, Chart, Line, Mark, Point, Shape, Style, bars, chart};
-
-/// A chart with its words.
-pub struct Figure {
-    pub title: String,
-    pub svg: String,
-    pub caption: String,
-}
+use super::plot::{Bar, Chart, Figure, Line, Mark, Point, Shape, Style, bars, chart};
 
 /// How a mode looks, family by family: what is bound, how it is drawn, what is compiled in.
 fn style(mode: &str) -> Style {

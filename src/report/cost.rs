@@ -284,7 +284,7 @@ fn percent(share: f64) -> String {
 }
 
 /// `0.53 (0.52 to 0.55)`
-fn ratio(ratio: Option<f64>, bounds: &Interval95) -> String {
+pub fn ratio(ratio: Option<f64>, bounds: &Interval95) -> String {
     let Some(ratio) = ratio.filter(|ratio| ratio.is_finite()) else {
         return "-".to_owned();
     };

@@ -1,6 +1,6 @@
 //! What does a cost report say in sentences?
 
-use super::cost::{CostReport, TierRow};
+use super::cost::{CostReport, TierRow, ratio};
 use super::cost_plots::anchor;
 
 /// A sentence, and the row that it stands on.
@@ -24,14 +24,14 @@ pub fn headlines(report: &CostReport) -> Vec<Headline> {
     all.extend(corrected.and_then(|row| {
         let text = format!(
             "The slides' models, rightly normalised and without their trigonometry, take {} of the listings' time.",
-            ratio(row)?
+            of_slides(row)?
         );
         Some(said(row, text))
     }));
     all.extend(default.and_then(|row| {
         let text = format!(
             "The default model, {DEFAULT}, which loses no light between facets and has metals' colours at every angle, takes {}.",
-            ratio(row)?
+            of_slides(row)?
         );
         Some(said(row, text))
     }));
@@ -60,14 +60,10 @@ fn said(row: &TierRow, text: String) -> Headline {
     }
 }
 
-/// `0.53 (0.52 to 0.55)`
-fn ratio(row: &TierRow) -> Option<String> {
-    let ratio = row.of_slides.filter(|ratio| ratio.is_finite())?;
-    let bounds = &row.of_slides_95;
-    Some(match (bounds.low, bounds.high) {
-        (Some(low), Some(high)) => format!("{ratio:.2} ({low:.2} to {high:.2})"),
-        _ => format!("{ratio:.2}"),
-    })
+/// None where it was not measured.
+fn of_slides(row: &TierRow) -> Option<String> {
+    let measured = row.of_slides.filter(|ratio| ratio.is_finite())?;
+    Some(ratio(Some(measured), &row.of_slides_95))
 }
 
 /// The nearest tier of a term, and what is beaten.
@@ -86,7 +82,7 @@ fn of_term(report: &CostReport, term: &str, what: &str) -> Option<Headline> {
         "Nearest {what}: {}, {:.2} % off at {} of the listings' time; {rest}.",
         nearest.tier,
         nearest.model_error_rms? * 100.0,
-        ratio(nearest)?
+        of_slides(nearest)?
     );
     Some(said(nearest, text))
 }

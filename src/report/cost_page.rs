@@ -30,7 +30,7 @@ pub struct Sample {
 pub fn page(report: &CostReport, samples: &[Sample]) -> String {
     let mut page = page::begin("What accuracy costs", "umber cost", &report.device);
     write_headlines(&mut page, report);
-    write_figures(&mut page, report);
+    page::write_figures(&mut page, "Error against time", &figures(report));
     write_sheets(&mut page, samples);
     write_method(&mut page, report);
     page::write_machine(&mut page, &report.device, &report.machine, &report.program);
@@ -46,19 +46,6 @@ fn write_headlines(page: &mut String, report: &CostReport) {
         put!(page, "<li><a href=\"#{row}\">{text}</a></li>\n");
     }
     page.push_str("</ul>\n<p class=\"under\">In brackets: intervals with a confidence of 95 %. Each sentence leads to its row.</p>\n");
-}
-
-fn write_figures(page: &mut String, report: &CostReport) {
-    page.push_str("<h2>Error against time</h2>\n<div class=\"charts\">\n");
-    for figure in figures(report) {
-        let (title, caption) = (escape(&figure.title), escape(&figure.caption));
-        put!(
-            page,
-            "<figure>\n<h3>{title}</h3>\n{}<figcaption>{caption}</figcaption>\n</figure>\n",
-            figure.svg
-        );
-    }
-    page.push_str("</div>\n");
 }
 
 fn write_sheets(page: &mut String, samples: &[Sample]) {

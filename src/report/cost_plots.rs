@@ -1,8 +1,7 @@
 //! Which charts show what accuracy costs?
 
-use super::bench_plots::Figure;
 use super::cost::{CostReport, LampRow, TierRow};
-use super::plot::{Chart, Line, Point, Shape, Style, chart};
+use super::plot::{Chart, Figure, Line, Point, Shape, Style, chart};
 
 /// All charts that the rows are enough for.
 pub fn figures(report: &CostReport) -> Vec<Figure> {

@@ -12,6 +12,12 @@ pub struct Interval95 {
 }
 
 impl Interval95 {
+    /// What no samples bound.
+    pub const UNBOUNDED: Self = Self {
+        low: None,
+        high: None,
+    };
+
     /// The same with both bounds changed.
     pub fn map(self, of: impl Fn(f64) -> f64) -> Self {
         Self {

@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use super::plot::{escape, put};
+use super::plot::{Figure, escape, put};
 use super::provenance::{Device, Machine, Program};
 
 /// The page up to its title, and a line on what measured.
@@ -29,6 +29,23 @@ pub fn begin(title: &str, verb: &str, device: &Device) -> String {
 /// Its end.
 pub fn end(page: &mut String) {
     page.push_str("</body>\n</html>\n");
+}
+
+/// Charts under a title; no title without one.
+pub fn write_figures(page: &mut String, title: &str, figures: &[Figure]) {
+    if figures.is_empty() {
+        return;
+    }
+    put!(page, "<h2>{title}</h2>\n<div class=\"charts\">\n");
+    for figure in figures {
+        let (title, caption) = (escape(&figure.title), escape(&figure.caption));
+        put!(
+            page,
+            "<figure>\n<h3>{title}</h3>\n{}<figcaption>{caption}</figcaption>\n</figure>\n",
+            figure.svg
+        );
+    }
+    page.push_str("</div>\n");
 }
 
 /// A list of terms with their texts; one without text is left out.

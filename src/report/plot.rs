@@ -5,6 +5,13 @@
 
 use std::fmt::Write as _;
 
+/// A chart with its words.
+pub struct Figure {
+    pub title: String,
+    pub svg: String,
+    pub caption: String,
+}
+
 /// A chart with two logarithmic axes.
 pub struct Chart {
     /// What `x` is, with its unit.

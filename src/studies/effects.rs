@@ -5,7 +5,7 @@
 
 use crate::math::statistics::{Interval, median, paired_difference, paired_ratio};
 use crate::render::effects::{Build, Caller, Census, Effect, EffectSet, Effects};
-use crate::render::{Frame, FrameReport, Picture, RenderError, Renderer, Settings, Uploaded};
+use crate::render::{Frame, Picture, RenderError, Renderer, Settings, Uploaded};
 use crate::report::{BuildRow, EffectRow, Interval95};
 use crate::scene::Scene;
 
@@ -169,17 +169,12 @@ impl<'a> Bench<'a> {
                 order.reverse();
             }
             for place in order {
-                times[place].push(time(&frames[place].draw()?));
+                times[place].push(frames[place].draw()?.ms());
                 (self.progress)();
             }
         }
         Ok(times)
     }
-}
-
-/// A frame's time: the device's own, or the host's where the device has no clock.
-fn time(report: &FrameReport) -> f64 {
-    report.gpu_ms.unwrap_or(report.submit_to_idle_ms)
 }
 
 fn middle(times: &[f64]) -> f64 {

@@ -6,12 +6,13 @@
 use glam::{Affine3A, Quat, Vec3};
 
 use super::evaluations::SLIDES;
+use super::gallery::in_turn;
 use crate::gpu::Samples;
 use crate::math::statistics::{Interval, mad, median, paired_ratio};
 use crate::reference::ladders::{Diffuse, Mix};
 use crate::reference::shade::{Lighting, Terms};
-use crate::render::effects::{EffectSet, Effects};
-use crate::render::{Frame, RenderError, Renderer, Settings, Uploaded, Variant};
+use crate::render::effects::{ALL, Effect, EffectSet, Effects};
+use crate::render::{Frame, FrameReport, RenderError, Renderer, Settings, Uploaded, Variant};
 use crate::scene::{Ambient, Camera, Light, LightKind, Material, Mesh, Object, Projection, Scene};
 
 /// Pixels a side, and layers: 131,072 fragments a frame.
@@ -49,7 +50,11 @@ pub fn fragments(
         let forms = [BASE, SLIDES].into_iter().chain(some.iter().copied());
         let frames = forms.map(|variant| frame(renderer, &uploaded, variant));
         let mut frames = frames.collect::<Result<Vec<_>, _>>()?;
-        let times = in_turn(&mut frames, rounds)?;
+        // The first round is warm-up.
+        in_turn(&mut frames, 1)?;
+        let reports = in_turn(&mut frames, rounds)?;
+        let ms = |reports: &Vec<FrameReport>| reports.iter().map(FrameReport::ms).collect();
+        let times: Vec<Vec<f64>> = reports.iter().map(ms).collect();
         for form in &times[2..] {
             all.push(of(form, &times[1], &times[0]));
             progress();
@@ -76,42 +81,22 @@ fn frame<'s>(
     variant: Variant,
 ) -> Result<Frame<'s>, RenderError> {
     // A lobe that no term counts is not computed either.
-    let Terms {
-        diffuse, specular, ..
-    } = variant.terms;
-    let off = [
-        ("diffuse-lobe", diffuse),
-        ("rough-diffuse", diffuse),
-        ("specular-lobe", specular),
-    ];
-    let off = off.iter().filter(|(_, on)| !on).map(|(name, _)| *name);
-    let off = EffectSet::of_names(off).unwrap_or(EffectSet::NONE);
+    let is_off = |effect: &&Effect| variant.lobes().contains(&(effect.constant, false));
+    let allowed = ALL
+        .iter()
+        .filter(is_off)
+        .fold(EffectSet::ALL, EffectSet::without);
     let settings = Settings {
         width: SIDE,
         height: SIDE,
         samples: Samples::One,
         variant,
         effects: Effects {
-            allowed: off.iter().fold(EffectSet::ALL, EffectSet::without),
+            allowed,
             ..Effects::default()
         },
     };
     Frame::new(renderer, uploaded, &settings)
-}
-
-/// Round by round, ms.
-fn in_turn(frames: &mut [Frame], rounds: usize) -> Result<Vec<Vec<f64>>, RenderError> {
-    for frame in frames.iter_mut() {
-        frame.draw()?;
-    }
-    let mut times = vec![Vec::with_capacity(rounds); frames.len()];
-    for _ in 0..rounds {
-        for (frame, times) in frames.iter_mut().zip(&mut times) {
-            let report = frame.draw()?;
-            times.push(report.gpu_ms.unwrap_or(report.submit_to_idle_ms));
-        }
-    }
-    Ok(times)
 }
 
 fn of(form: &[f64], slides: &[f64], base: &[f64]) -> Fragment {

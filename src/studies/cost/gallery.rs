@@ -156,19 +156,17 @@ impl<'s> Exhibit<'s> {
             first_draw_ms: look.first_draw_ms,
             frame_ms: time.map(|time| time.ms),
             of_default: time.map(|time| time.of_default),
-            of_default_95: time.map_or(UNBOUNDED, |time| time.of_default_95),
+            of_default_95: time.map_or(Interval95::UNBOUNDED, |time| time.of_default_95),
             pareto: false,
         })
     }
 }
 
-const UNBOUNDED: Interval95 = Interval95 {
-    low: None,
-    high: None,
-};
-
 /// Frame by frame, round by round. What is compiled at the first draw was compiled when the frames were made.
-fn in_turn(frames: &mut [Frame], rounds: usize) -> Result<Vec<Vec<FrameReport>>, RenderError> {
+pub(super) fn in_turn(
+    frames: &mut [Frame],
+    rounds: usize,
+) -> Result<Vec<Vec<FrameReport>>, RenderError> {
     let mut reports = vec![Vec::with_capacity(rounds); frames.len()];
     for _ in 0..rounds {
         for (frame, reports) in frames.iter_mut().zip(&mut reports) {
@@ -179,18 +177,14 @@ fn in_turn(frames: &mut [Frame], rounds: usize) -> Result<Vec<Vec<FrameReport>>,
 }
 
 fn frame_time(own: &[FrameReport], default: &[FrameReport]) -> FrameTime {
-    let ms = |reports: &[FrameReport]| -> Vec<f64> {
-        let times = reports.iter();
-        times
-            .map(|report| report.gpu_ms.unwrap_or(report.submit_to_idle_ms))
-            .collect()
-    };
+    let ms =
+        |reports: &[FrameReport]| -> Vec<f64> { reports.iter().map(FrameReport::ms).collect() };
     let (own, default) = (ms(own), ms(default));
     let pairs: Vec<_> = own.iter().copied().zip(default).collect();
     let ratio = paired_ratio(&pairs);
     FrameTime {
         ms: median(&own).unwrap_or(f64::NAN),
         of_default: ratio.map_or(f64::NAN, |ratio| ratio.estimate),
-        of_default_95: ratio.map_or(UNBOUNDED, Interval95::from),
+        of_default_95: ratio.map_or(Interval95::UNBOUNDED, Interval95::from),
     }
 }

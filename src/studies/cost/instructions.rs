@@ -34,11 +34,7 @@ pub fn instructions(variants: &[Variant]) -> Vec<Option<u64>> {
 
 /// With the lobes that the terms say, or without any.
 fn count(variant: &Variant, lit: bool) -> Option<u64> {
-    let lobes = [
-        (constants::EFFECT_DIFFUSE_LOBE, variant.terms.diffuse),
-        (constants::EFFECT_ROUGH_DIFFUSE, variant.terms.diffuse),
-        (constants::EFFECT_SPECULAR_LOBE, variant.terms.specular),
-    ];
+    let lobes = variant.lobes();
     let effect = |id: u32| {
         let on = lobes.iter().any(|(lobe, on)| *lobe == id && *on);
         (id, i32::from(on && lit))

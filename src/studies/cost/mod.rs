@@ -39,6 +39,7 @@ use crate::render::effects::EffectSet;
 use crate::render::{Cache, Renderer, Uploaded, Variant};
 use crate::report::{CostMethod, Interval95, LampRow, PromiseRow};
 use crate::scene::Scene;
+use crate::studies::ladders;
 use evaluations::{Evaluation, INPUTS, evaluations};
 use forms::{Form, model, tiers};
 use fragments::{Fragment, fragments};
@@ -113,7 +114,7 @@ pub fn study(
     }
     let measured = Measured::new(renderer, options, &models, progress)?;
     let promises = promises(&mut exhibits, &prices, options, progress)?;
-    let errors = rows::errors(cache, options.paths);
+    let errors = ladders::errors(cache, options.paths, &|_| {});
     Ok(Found {
         rows: rows::rows(device, &measured, &exhibits, &errors)?,
         lamps: sweep(renderer, progress)?,
@@ -307,13 +308,7 @@ fn promise(
         chosen: chosen.map(|mix| mix.to_string()),
         flip_mean: priced.point.error,
         of_default: time.map(|time| time.of_default),
-        of_default_95: time.map_or(
-            Interval95 {
-                low: None,
-                high: None,
-            },
-            |time| time.of_default_95,
-        ),
+        of_default_95: time.map_or(Interval95::UNBOUNDED, |time| time.of_default_95),
     })
 }
 

@@ -12,11 +12,10 @@ use super::{Measured, name};
 use crate::gpu::{Device, Error};
 use crate::reference::ladders::{Diffuse, Fresnel, Mix, Specular};
 use crate::reference::shade::Lighting;
+use crate::render::Picture;
 use crate::render::library::{Function, Tier, name_of_diffuse, name_of_fresnel, name_of_specular};
-use crate::render::{Cache, Picture};
 use crate::report::{CostMethod, Interval95, LampRow, ModelRow, PromiseRow, SceneCost, TierRow};
 use crate::studies::difference::Display;
-use crate::studies::ladders;
 use crate::studies::stability::{Amount, CASES, Study};
 
 /// What the study found.
@@ -52,11 +51,6 @@ const SHEET: usize = 7;
 
 /// Values behind a rounding error.
 const JUDGED: usize = 4096;
-
-/// The rows of `umber models`.
-pub fn errors(cache: &Cache, paths: usize) -> Vec<ModelRow> {
-    ladders::errors(cache, paths, &|_| {})
-}
 
 /// A row for each form.
 ///
@@ -107,24 +101,16 @@ pub(super) fn rows(
 
 /// A tier's frame is the frame of a model, and has its place there.
 fn untimed(row: Option<SceneCost>) -> Option<SceneCost> {
-    let none = Interval95 {
-        low: None,
-        high: None,
-    };
     row.map(|row| SceneCost {
         frame_ms: None,
         of_default: None,
-        of_default_95: none,
+        of_default_95: Interval95::UNBOUNDED,
         pareto: false,
         ..row
     })
 }
 
 fn row(form: &Form, scenes: Vec<SceneCost>) -> TierRow {
-    let none = Interval95 {
-        low: None,
-        high: None,
-    };
     let worst = scenes
         .iter()
         .max_by(|a, b| a.flip_mean.total_cmp(&b.flip_mean));
@@ -142,10 +128,10 @@ fn row(form: &Form, scenes: Vec<SceneCost>) -> TierRow {
         ns_per_evaluation: None,
         ns_mad: None,
         of_slides: None,
-        of_slides_95: none,
+        of_slides_95: Interval95::UNBOUNDED,
         ns_per_fragment: None,
         fragment_of_slides: None,
-        fragment_of_slides_95: none,
+        fragment_of_slides_95: Interval95::UNBOUNDED,
         spirv_instructions: None,
         needs_table: needs_table(form),
         pareto: false,
