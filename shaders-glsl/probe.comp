@@ -84,14 +84,13 @@ float facet_value(ProbeInput p, int tier) {
         return G_VCavity(NoL, NoE, h.hh);
     }
     float m = max(p.roughness, PROBED_M_MIN);
-    float Noh2 = h.Noh * h.Noh;
-    return D_Beckmann(h.sine2 / Noh2, h.hh / Noh2, m * m);
+    return D_Beckmann(h.sine2, h.Noh * h.Noh, h.hh, m * m);
 }
 
 float schlick_value(ProbeInput p, int tier) {
     vec3 difference = p.light - p.eye;
     vec3 h = p.light + p.eye;
-    float one_minus_cos = 0.25 * dot(difference, difference) / (1.0 + 0.5 * sqrt(dot(h, h)));
+    float one_minus_cos = half_rest(HalfVector(0.0, 0.0, dot(h, h), dot(difference, difference)));
     if (tier == TIER_HALF) {
         return F_Schlick_half(p.f0, one_minus_cos);
     }

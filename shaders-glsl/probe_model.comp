@@ -28,6 +28,7 @@ Surface probed_surface(ProbeInput p) {
     surface.fresnel_2 = p.extra.yzw;
     surface.fresnel_3 = p.extra.zwx;
     surface.fresnel_4 = p.extra.wxy;
+    surface.missing = GgxMissing(0.0, vec4(0.0), vec4(0.0), 0.0);
     surface.between = vec3(0.0);
     surface.weights = OrenNayarWeights(1.0, 0.0);
     specular_interface(surface);

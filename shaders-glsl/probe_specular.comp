@@ -4,10 +4,10 @@
 #include "brdf/beckmann_smith.glsl"
 #include "brdf/blinn_phong.glsl"
 #include "brdf/ggx.glsl"
+#include "brdf/ggx_missing.glsl"
 #include "brdf/kulla_conty.glsl"
 #include "brdf/schlick.glsl"
 #include "compensated/half_vector.glsl"
-#include "interface/missing_table.glsl"
 #include "interface/probe.glsl"
 #include "math/double_float.glsl"
 #include "probe/constants.glsl"
@@ -50,9 +50,10 @@ float value_of(ProbeInput p, int tier) {
     if (PROBE_FUNCTION == FUNCTION_GGX) {
         return once;
     }
-    float missing_l = ggx_missing(min(NoL, 1.0), m);
-    float missing_e = ggx_missing(min(NoE, 1.0), m);
-    vec3 between = kulla_conty(missing_e, ggx_missing_on_average(m), F_avg_Schlick(f0, f90));
+    GgxMissing missing = ggx_missing_of(m);
+    float missing_l = ggx_missing(missing, min(NoL, 1.0));
+    float missing_e = ggx_missing(missing, min(NoE, 1.0));
+    vec3 between = kulla_conty(missing_e, missing.mean, F_avg_Schlick(f0, f90));
     return once + between.x * (missing_l * NoL);
 }
 

@@ -10,14 +10,15 @@ float smith_shadowing(float lambda_l, float lambda_e, float NoE) {
 
 // Lambda of a direction with cosine c > 0, of facets of roughness m: what Smith's G1 = 1 / (1 + Lambda) lacks. With
 // u = c / (m sqrt(1 - c^2)), the rational form of Walter et al. 2007 (section 5.2): 3.1e-3 of 1 + Lambda at worst (u = 1.34). From
-// u = 1.6 on it is 0; so the sine that is divided by is never 0.
+// u = 1.6 on it is 0; so the sine that is divided by is never 0. From u = 1.55 on the published form is below 0, by 6e-5 where it ends with
+// a step: it is held at 0.
 float beckmann_lambda_rational(float c, float m2) {
     float sine2 = max((1.0 - c) * (1.0 + c), 0.0);
     if (c * c >= 2.56 * m2 * sine2) {
         return 0.0;
     }
     float u = c * inversesqrt(m2 * sine2);
-    return (1.0 + u * (0.396 * u - 1.259)) / (u * (3.535 + 2.181 * u));
+    return max(1.0 + u * (0.396 * u - 1.259), 0.0) / (u * (3.535 + 2.181 * u));
 }
 
 // The same to 3e-7 of 1 + Lambda. Lambda = ierfc(u) / (2 u), the integral of the complementary error function
@@ -37,14 +38,12 @@ float beckmann_lambda(float c, float m2) {
 
 // f NoL / F = D G2 / (4 NoE) for cosines of at least COS_MIN.
 float beckmann_smith(HalfVector h, float NoL, float NoE, float m2) {
-    float Noh2 = h.Noh * h.Noh;
-    float D = D_Beckmann(h.sine2 / Noh2, h.hh / Noh2, m2);
+    float D = D_Beckmann(h.sine2, h.Noh * h.Noh, h.hh, m2);
     return D * smith_shadowing(beckmann_lambda_rational(NoL, m2), beckmann_lambda_rational(NoE, m2), NoE);
 }
 
 // The same with Smith's function to 3e-7 instead of 3.1e-3.
 float beckmann_smith_exact(HalfVector h, float NoL, float NoE, float m2) {
-    float Noh2 = h.Noh * h.Noh;
-    float D = D_Beckmann(h.sine2 / Noh2, h.hh / Noh2, m2);
+    float D = D_Beckmann(h.sine2, h.Noh * h.Noh, h.hh, m2);
     return D * smith_shadowing(beckmann_lambda(NoL, m2), beckmann_lambda(NoE, m2), NoE);
 }

@@ -19,10 +19,11 @@ float F_conductor(float n, float k, float mu) {
     float more = a + mu;
     float turned_less = a * mu - sine2;
     float turned_more = a * mu + sine2;
-    float R_s = (less * less + b2) / (more * more + b2);
     float mu2b2 = mu * mu * b2;
-    float R_p = R_s * (turned_less * turned_less + mu2b2) / (turned_more * turned_more + mu2b2);
-    return 0.5 * (R_s + R_p);
+    float p_less = turned_less * turned_less + mu2b2;
+    float p_more = turned_more * turned_more + mu2b2;
+    // (R_s + R_p) / 2 over one divisor.
+    return 0.5 * (less * less + b2) * (p_less + p_more) / ((more * more + b2) * p_more);
 }
 
 // At three wavelengths that stand for the channels.

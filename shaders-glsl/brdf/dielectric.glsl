@@ -6,18 +6,23 @@ struct Refraction {
     float r;
     float p;
     float q;
-    float g;         // q sqrt(n^2 - 1 + mu^2) = sqrt(4 r + (q mu)^2)
-    float s_divisor; // q mu + g
-    float p_divisor; // p^2 mu + q g
+    float g;        // q sqrt(n^2 - 1 + mu^2) = sqrt(4 r + (q mu)^2)
+    float s_factor; // 1 / (q mu + g)^2
+    float p_factor; // 1 / (p^2 mu + q g)^2
 };
 
-// mu: cosine, COS_MIN..1.
+// mu: cosine, COS_MIN..1. Both divisors are at least 2 COS_MIN.
 Refraction refraction(float f0, float mu) {
     float r = sqrt(f0);
     float p = 1.0 + r;
     float q = 1.0 - r;
     float g = sqrt(4.0 * r + q * q * mu * mu);
-    return Refraction(r, p, q, g, q * mu + g, p * p * mu + q * g);
+    float s_divisor = q * mu + g;
+    float p_divisor = p * p * mu + q * g;
+    float over = 1.0 / (s_divisor * p_divisor);
+    float s = p_divisor * over;
+    float parallel = s_divisor * over;
+    return Refraction(r, p, q, g, s * s, parallel * parallel);
 }
 
 // The amplitudes, of which no numerator is a difference of large numbers, are
@@ -26,16 +31,15 @@ Refraction refraction(float f0, float mu) {
 float F_dielectric(float f0, float mu) {
     Refraction at = refraction(f0, mu);
     float squares = (at.p * at.p + at.q * at.q) * mu * mu - at.q * at.q;
-    float s = 4.0 * at.r / (at.s_divisor * at.s_divisor);
-    float parallel = 4.0 * at.r * squares / (at.p_divisor * at.p_divisor);
+    float s = 4.0 * at.r * at.s_factor;
+    float parallel = 4.0 * at.r * squares * at.p_factor;
     return 0.5 * (s * s + parallel * parallel);
 }
 
 // What is let through, 1 - F, as a sum of products: 4 q mu g / (q mu + g)^2 and 4 p^2 q mu g / (p^2 mu + q g)^2.
 float T_dielectric(float f0, float mu) {
     Refraction at = refraction(f0, mu);
-    float both = 1.0 / (at.s_divisor * at.s_divisor) + at.p * at.p / (at.p_divisor * at.p_divisor);
-    return 2.0 * at.q * mu * at.g * both;
+    return 2.0 * at.q * mu * at.g * (at.s_factor + at.p * at.p * at.p_factor);
 }
 
 // Reflectance per channel.

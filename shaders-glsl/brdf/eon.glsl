@@ -15,9 +15,10 @@ const float EON_C2 = 0.07248821;
 // pi K = (pi/2 - 2/3) mu^2 / (1 + S) + S asin mu + S mu (S - 2 q / 3), and (pi/2 - 2/3) / pi is C1.
 float eon_missing(float mu) {
     float S = sqrt((1.0 - mu) * (1.0 + mu));
-    float q = (1.0 + S * (1.0 + S)) / (1.0 + S);
+    float over = 1.0 / (1.0 + S);
+    float q = (1.0 + S * (1.0 + S)) * over;
     float turned = arcsine(mu) + mu * (S - 2.0 / 3.0 * q);
-    return FUJII_C1 * mu * mu / (1.0 + S) + INV_PI * S * turned;
+    return FUJII_C1 * mu * mu * over + INV_PI * S * turned;
 }
 
 // pi f NoL of what bounces between facets, per channel: rho_ms (1 - E(l)) (1 - E(e)) / (1 - <E>) NoL, with

@@ -3,7 +3,7 @@
 
 #include "math/constants.glsl"
 
-// Less light than this is lost to the table's rounding as well.
+// Less light than this is lost to rounding as well.
 const float MISSING_MIN = 1.0e-6;
 
 // What does not depend on the light of f NoL = (1 - E(NoL)) NoL kulla_conty(...), of what single scattering misses:

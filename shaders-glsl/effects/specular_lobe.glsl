@@ -19,7 +19,7 @@ void specular_interface(inout Surface surface) {
     }
     surface.f90 = f90_of(surface.f0);
     surface.through = T_interface(surface, clamp(surface.NoE, 0.0, 1.0));
-    look_up_missing(surface);
+    missing_of(surface);
 }
 
 // The listing, its own Fresnel term included. Its factor before the light is illuminance / pi.

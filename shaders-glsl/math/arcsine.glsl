@@ -11,8 +11,7 @@ float small_arcsine(float x) {
 
 // asin x for 0 <= x <= 1: 2e-7 of itself. Beyond 1/2 by asin x = pi/2 - 2 asin sqrt((1 - x) / 2), where 1 - x is exact.
 float arcsine(float x) {
-    if (x <= 0.5) {
-        return small_arcsine(x);
-    }
-    return HALF_PI - 2.0 * small_arcsine(sqrt(0.5 * (1.0 - x)));
+    bool beyond = x > 0.5;
+    float turned = small_arcsine(beyond ? sqrt(0.5 * (1.0 - x)) : x);
+    return beyond ? HALF_PI - 2.0 * turned : turned;
 }

@@ -13,10 +13,10 @@ vec2 two_sum(float a, float b) {
     return vec2(sum, lost);
 }
 
-// a as two floats of 12 bits each, so that their products are exact. Veltkamp 1968. 4097 = 2^12 + 1; |a| < 2^115.
+// a as two floats of 12 bits each, so that their products are exact: the first is a rounded to its upper 12 bits, halves away from 0.
+// |a| < 2^127.
 vec2 halves(float a) {
-    PRECISE float spread = 4097.0 * a;
-    PRECISE float high = spread - (spread - a);
+    float high = uintBitsToFloat((floatBitsToUint(a) + 0x800u) & 0xfffff000u);
     PRECISE float low = a - high;
     return vec2(high, low);
 }
@@ -58,24 +58,31 @@ vec2 dot_double(vec3 a, vec3 b) {
     return two_sum(xyz.x, low);
 }
 
-// a c - b d for double-floats c and d, rounded once.
-float cross_part(float a, vec2 c, float b, vec2 d) {
-    vec2 p = two_product(a, c.x);
-    vec2 q = two_product(b, d.x);
-    vec2 high = two_sum(p.x, -q.x);
-    PRECISE float low = high.y + ((p.y - q.y) + (a * c.y - b * d.y));
-    PRECISE float part = high.x + low;
-    return part;
+// a x b as it stands.
+vec3 cross_precise(vec3 a, vec3 b) {
+    PRECISE float x = a.y * b.z - a.z * b.y;
+    PRECISE float y = a.z * b.x - a.x * b.z;
+    PRECISE float z = a.x * b.y - a.y * b.x;
+    return vec3(x, y, z);
 }
 
-// a x (b + c), each component rounded once.
+// a x (b + c), each component to 2^-23 of itself and 2^-34 of |a| |b + c|. Where a and b + c are nearly parallel, the coarse part
+// is a difference of exact products, mostly exact itself; the fine part is at most 2^-11 of the whole, so that its rounding is 2^-35.
 vec3 cross_of_sum(vec3 a, vec3 b, vec3 c) {
     vec2 x = two_sum(b.x, c.x);
     vec2 y = two_sum(b.y, c.y);
     vec2 z = two_sum(b.z, c.z);
-    return vec3(
-        cross_part(a.y, z, a.z, y),
-        cross_part(a.z, x, a.x, z),
-        cross_part(a.x, y, a.y, x)
-    );
+    vec3 sum = vec3(x.x, y.x, z.x);
+    vec2 a_x = halves(a.x);
+    vec2 a_y = halves(a.y);
+    vec2 a_z = halves(a.z);
+    vec2 sum_x = halves(sum.x);
+    vec2 sum_y = halves(sum.y);
+    vec2 sum_z = halves(sum.z);
+    vec3 a_high = vec3(a_x.x, a_y.x, a_z.x);
+    PRECISE vec3 sum_low = vec3(sum_x.y, sum_y.y, sum_z.y) + vec3(x.y, y.y, z.y);
+    vec3 coarse = cross_precise(a_high, vec3(sum_x.x, sum_y.x, sum_z.x));
+    PRECISE vec3 fine = cross_precise(a_high, sum_low) + cross_precise(vec3(a_x.y, a_y.y, a_z.y), sum);
+    PRECISE vec3 whole = coarse + fine;
+    return whole;
 }

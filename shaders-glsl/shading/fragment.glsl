@@ -64,6 +64,7 @@ Surface plain_surface(Material material, vec3 position, vec3 normal) {
     surface.fresnel_2 = material.fresnel_2;
     surface.fresnel_3 = material.fresnel_3;
     surface.fresnel_4 = material.fresnel_4;
+    surface.missing = GgxMissing(0.0, vec4(0.0), vec4(0.0), 0.0);
     surface.between = vec3(0.0);
     surface.weights = OrenNayarWeights(1.0, 0.0);
     return surface;

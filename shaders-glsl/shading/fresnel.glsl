@@ -54,6 +54,10 @@ vec3 T_interface(Surface surface, float mu) {
     if (FRESNEL == FRESNEL_SCHLICK) {
         return T_Schlick(f0, surface.f90, mu);
     }
+    if (FRESNEL == FRESNEL_SPECTRAL) {
+        // A metal's own terms change nothing: there is no base below them. Gold's red passes 1.
+        return max(T_Schlick(f0, surface.f90, mu), vec3(0.0));
+    }
     return max(1.0 - F_interface(surface, mu, 1.0 - mu), vec3(0.0));
 }
 

@@ -1,5 +1,6 @@
 // What is known of a point that is seen? Effects add to it, lamps are then evaluated on it.
 
+#include "brdf/ggx_missing.glsl"
 #include "brdf/oren_nayar.glsl"
 
 struct Surface {
@@ -23,6 +24,7 @@ struct Surface {
     vec3 fresnel_2;
     vec3 fresnel_3;
     vec3 fresnel_4;
+    GgxMissing missing; // what facets lose that reflect once
     vec3 between;    // what bounces between facets towards the eye, over what single scattering loses of a lamp's light
     OrenNayarWeights weights;
 };

@@ -19,13 +19,13 @@ pub fn lambda(cosine: f64, m: f64) -> f64 {
 /// exp(-26^2) is the least normal f64: beyond, facets of that slope do not exist.
 const FARTHEST: f64 = 26.0;
 
-/// The rational form of Walter et al. 2007, section 5.2: 1 / G1 - 1.
+/// The rational form of Walter et al. 2007, section 5.2: 1 / G1 - 1, held at 0 where it falls below (by 6e-5, before it ends with a step).
 pub fn lambda_rational(cosine: f64, m: f64) -> f64 {
     let u = over_slope(cosine, m);
     if u >= 1.6 {
         return 0.0;
     }
-    (1.0 - 1.259 * u + 0.396 * u * u) / (3.535 * u + 2.181 * u * u)
+    ((1.0 - 1.259 * u + 0.396 * u * u) / (3.535 * u + 2.181 * u * u)).max(0.0)
 }
 
 fn over_slope(cosine: f64, m: f64) -> f64 {

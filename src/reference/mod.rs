@@ -15,6 +15,7 @@ pub mod f82;
 pub mod fujii;
 pub mod full_oren_nayar;
 pub mod ggx;
+pub mod ggx_missing;
 pub mod given;
 pub mod hemisphere;
 pub mod kulla_conty;

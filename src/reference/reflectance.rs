@@ -53,9 +53,13 @@ impl Reflectance {
         }
     }
 
-    /// What is let through, 1 - F; 0 where a channel reflects more than 1.
+    /// What is let through, 1 - F; 0 where a channel reflects more than 1. A metal's own terms are none of it: there is no base below them.
     pub fn through(&self, mu: f64) -> DVec3 {
-        (DVec3::ONE - self.f(mu)).max(DVec3::ZERO)
+        let reflected = match self.tier {
+            Fresnel::Spectral => schlick::f(self.metal.f0, mu),
+            _ => self.f(mu),
+        };
+        (DVec3::ONE - reflected).max(DVec3::ZERO)
     }
 
     /// The mean of F over the cosine, 2 int F mu dmu.

@@ -17,7 +17,6 @@ mod inspection;
 mod kept;
 pub mod library;
 mod maps;
-mod missing_table;
 mod picture;
 mod picture_file;
 mod pipelines;

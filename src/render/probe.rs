@@ -5,7 +5,6 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::library::{Function, MODEL, Tier};
-use super::missing_table;
 use super::variant::Variant;
 use crate::gpu::{
     Binding, BindingKind, Buffer, BufferUse, ComputePipeline, Constant, DescriptorSet, Device,
@@ -20,7 +19,7 @@ const MOST_INVOCATIONS: u32 = 1 << 18;
 /// `local_size_x` of the shader.
 const GROUP: u32 = 64;
 
-const BINDINGS: [Binding; 3] = [
+const BINDINGS: [Binding; 2] = [
     Binding {
         slot: bindings::ProbeInputBlock,
         kind: BindingKind::Written,
@@ -28,10 +27,6 @@ const BINDINGS: [Binding; 3] = [
     Binding {
         slot: bindings::ProbeResultBlock,
         kind: BindingKind::Written,
-    },
-    Binding {
-        slot: bindings::MissingBlock,
-        kind: BindingKind::Uniform,
     },
 ];
 
@@ -54,7 +49,6 @@ pub struct Probe {
     tier: Tier,
     /// Of a whole model.
     variant: Option<Variant>,
-    missing: Arc<Buffer>,
     /// One for each source of inputs that was asked for: a CPU driver takes a second to compile one.
     made: Mutex<Vec<(i32, Arc<ComputePipeline>)>>,
 }
@@ -82,21 +76,10 @@ impl Probe {
     ) -> Result<Self, Error> {
         let layout = SetLayout::new(device, "probe", &BINDINGS)?;
         let bytes = (PUSHED * size_of::<u32>()) as u32;
-        let missing = match function.name {
-            "ggx-multi" | "model" => missing_table::table(None),
-            _ => missing_table::nothing(),
-        };
-        let missing = bytemuck::cast_slice(&missing);
         Ok(Self {
             pipeline_layout: PipelineLayout::for_compute(device, "probe", &layout, bytes)?,
             cache: PipelineCache::open(device, None)?,
             device: Arc::clone(device),
-            missing: Arc::new(Buffer::with_data(
-                device,
-                "missing",
-                BufferUse::Uniform,
-                missing,
-            )?),
             layout,
             function,
             tier,
@@ -260,8 +243,7 @@ impl Probe {
         let data = bytemuck::cast_slice(&blank);
         let results = Buffer::with_data(device, "probe: results", BufferUse::Written, data)?;
         let (inputs, results) = (Arc::new(inputs_buffer), Arc::new(results));
-        let resources =
-            [&inputs, &results, &self.missing].map(|buffer| Resource::Buffer(Arc::clone(buffer)));
+        let resources = [&inputs, &results].map(|buffer| Resource::Buffer(Arc::clone(buffer)));
         Ok(ProbeSet {
             set: DescriptorSet::new(&self.layout, "probe", &resources)?,
             inputs,

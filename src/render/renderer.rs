@@ -1,6 +1,6 @@
 //! How does a scene become a picture?
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use super::draw_list::TooMany;
@@ -60,8 +60,6 @@ pub struct Renderer {
     pub(super) layout: Arc<SetLayout>,
     pub(super) pipelines: Pipelines,
     pub(super) placeholders: Placeholders,
-    /// Where what takes long is kept.
-    pub(super) caches: Option<PathBuf>,
 }
 
 impl Renderer {
@@ -76,7 +74,6 @@ impl Renderer {
             pipelines: Pipelines::new(device, &pipeline_layout, cache_folder)?,
             placeholders: Placeholders::new(device)?,
             layout,
-            caches: cache_folder.map(Path::to_owned),
             device: Arc::clone(device),
         })
     }

@@ -7,23 +7,22 @@ use super::maps::Maps;
 use super::renderer::Renderer;
 use super::shadow_maps::ShadowMaps;
 use super::uploaded::Uploaded;
-use super::{camera, missing_table, records};
+use super::{camera, records};
 use crate::gpu::{
     Binding, BindingKind, Buffer, BufferUse, DepthArray, DescriptorSet, Error, Resource,
 };
 use crate::interface::reflected::bindings;
 use crate::interface::{Frame, Material};
-use crate::reference::ladders::{Mix, Specular};
+use crate::reference::ladders::Mix;
 use crate::scene::{self, Scene};
 
 /// The one set: everything that a material, an object, a light or a frame is, is data here.
-pub const BINDINGS: [Binding; 21] = [
+pub const BINDINGS: [Binding; 20] = [
     of(bindings::FrameBlock, BindingKind::Uniform),
     of(bindings::InstanceBlock, BindingKind::Storage),
     of(bindings::MaterialBlock, BindingKind::Storage),
     of(bindings::LightBlock, BindingKind::Storage),
     of(bindings::ShadowBlock, BindingKind::Storage),
-    of(bindings::MissingBlock, BindingKind::Uniform),
     of(bindings::shadow_depths, BindingKind::Texture),
     of(bindings::shadow_sampler, BindingKind::Sampler),
     of(bindings::map_sampler, BindingKind::Sampler),
@@ -47,8 +46,8 @@ const fn of(slot: u32, kind: BindingKind) -> Binding {
 
 /// The records that shaders read.
 pub struct SceneBuffers {
-    /// `Frame`, `Instance[]`, `Material[]`, `Light[]`, `ShadowMap[]`, the table of what facets miss: the first of `BINDINGS`.
-    records: [Arc<Buffer>; 6],
+    /// `Frame`, `Instance[]`, `Material[]`, `Light[]`, `ShadowMap[]`: the first of `BINDINGS`.
+    records: [Arc<Buffer>; 5],
 }
 
 /// What materials and lights are recorded for.
@@ -98,11 +97,6 @@ impl SceneBuffers {
             .zip(&shadows.of_light)
             .map(|(light, maps)| records::light(light, look.effects.light_bits(light), *maps))
             .collect();
-        let missing = match look.mix.specular {
-            Specular::GgxMulti => missing_table::table(renderer.caches.as_deref()),
-            _ => missing_table::nothing(),
-        };
-        let missing = bytemuck::cast_slice(&missing);
         let storage = |name, bytes: &[u8]| {
             Buffer::with_data(device, name, BufferUse::Storage, bytes).map(Arc::new)
         };
@@ -115,7 +109,6 @@ impl SceneBuffers {
                 storage("materials", bytemuck::cast_slice(&materials))?,
                 storage("lights", bytemuck::cast_slice(&lights))?,
                 storage("shadow maps", bytemuck::cast_slice(&shadows.maps))?,
-                Buffer::with_data(device, "missing", BufferUse::Uniform, missing).map(Arc::new)?,
             ],
         })
     }

@@ -38,8 +38,6 @@ pub struct CostMethod {
     pub lamps: u32,
     /// Paths behind the model errors.
     pub paths: u32,
-    /// Making the table of what facets miss, where none is kept, ms.
-    pub table_ms: f64,
 }
 
 /// A tier of a term, or a whole model.
@@ -82,8 +80,6 @@ pub struct TierRow {
     pub fragment_of_slides_95: Interval95,
     /// Instructions of optimised SPIR-V beyond those of a surface without light; null without spirv-opt.
     pub spirv_instructions: Option<u64>,
-    /// Tables that it needs are made before the first frame.
-    pub needs_table: bool,
     /// No other tier of the term, or no other model, has a smaller error in less time.
     pub pareto: bool,
     /// Scene by scene.

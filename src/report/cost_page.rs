@@ -118,13 +118,6 @@ fn write_method(page: &mut String, report: &CostReport) {
             ),
         ),
         ("*", "No other tier of the term, or model, has a smaller error in less time.".to_owned()),
-        (
-            "table",
-            format!(
-                "ggx-multi looks up what facets miss; the table is made once, in {:.0} ms, and kept.",
-                method.table_ms
-            ),
-        ),
         ("rounding", "The largest error of the 32-bit function against its twin in f64, at random angles above the surface.".to_owned()),
         ("SPIR-V", "Instructions of the surface's shader beyond those without light, after spirv-opt.".to_owned()),
         ("clock", report.program.clock.clone()),

@@ -44,7 +44,6 @@ fn row(term: &str, tier: &str, error: f64, of_slides: f64, pareto: bool) -> Tier
         fragment_of_slides: None,
         fragment_of_slides_95: BOUNDS,
         spirv_instructions: None,
-        needs_table: false,
         pareto,
         scenes: vec![scene("<zoo>", error / 10.0), scene("plates", 0.0)],
     }
@@ -68,7 +67,6 @@ fn report() -> CostReport {
             rounds: 3,
             lamps: 4,
             paths: 1024,
-            table_ms: 400.0,
         },
         rows: vec![
             row("diffuse", "lambert", 0.5, -0.01, true),

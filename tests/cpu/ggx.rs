@@ -6,7 +6,7 @@ use glam::DVec3;
 use umber::math::frame::spherical;
 use umber::math::quadrature::GaussLegendre;
 use umber::reference::ggx::{d, lambda, lobe};
-use umber::reference::kulla_conty::albedo;
+use umber::reference::ggx_missing::albedo;
 
 use crate::samples::{assert_close, pairs};
 use crate::tolerances::{QUADRATURE_SMOOTH, SAME_FORMULA_PEAKED, THREE_DECIMALS};

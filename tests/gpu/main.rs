@@ -6,6 +6,7 @@ mod binary;
 mod blending;
 mod canaries;
 mod claim;
+mod continuity;
 mod corrections;
 mod cost;
 mod depth_passes;

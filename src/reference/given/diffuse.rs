@@ -15,7 +15,7 @@ pub fn lambert(at: &Given) -> f64 {
 /// `fujii::lobe` of albedo 1. The eye may be below the surface.
 pub fn fujii(at: &Given, roughness: f64) -> f64 {
     let (plain, turned) = fujii_parts(at, roughness);
-    plain + turned
+    (plain + turned).max(0.0)
 }
 
 /// The same without the sign of the part that turns with s.
@@ -30,7 +30,8 @@ fn fujii_parts(at: &Given, roughness: f64) -> (f64, f64) {
     }
     let a = 1.0 / (1.0 + C1 * roughness);
     let t = if at.s > 0.0 { at.nol.max(at.noe) } else { 1.0 };
-    (a * at.nol, a * roughness * at.s * (at.nol / t))
+    // Vectors of 32 bits may be longer than 1, and s below -1: no lobe is meant to be negative there.
+    (a * at.nol, a * roughness * at.s.max(-1.0) * (at.nol / t))
 }
 
 /// 1/2 - 2/(3 pi).

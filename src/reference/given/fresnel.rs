@@ -29,6 +29,10 @@ fn f82_dip(at: &Given, f0: f64, tint: f64) -> f64 {
 /// `dielectric::f` of an index with that f0.
 pub fn dielectric(at: &Given, f0: f64) -> f64 {
     let (mu, _) = cosine(at);
+    if f0 == 0.0 || mu == 0.0 {
+        // At grazing everything is a mirror, but for no interface.
+        return if f0 == 0.0 { 0.0 } else { 1.0 };
+    }
     let r = f0.sqrt();
     let (p, q) = (1.0 + r, 1.0 - r);
     let g = (4.0 * r + (q * mu).powi(2)).sqrt();
@@ -44,7 +48,8 @@ pub fn conductor(at: &Given, n: f64, k: f64) -> f64 {
     let t = n * n - k * k - sine2;
     let root = t.hypot(2.0 * n * k);
     let larger = 0.5 * (root + t.abs());
-    let smaller = (n * k).powi(2) / larger;
+    // Both are 0 at the angle of total reflection of an index without absorption.
+    let smaller = (n * k).powi(2) / larger.max(f64::MIN_POSITIVE);
     let (a2, b2) = if t >= 0.0 {
         (larger, smaller)
     } else {

@@ -6,6 +6,7 @@
 use std::f64::consts::PI;
 
 use super::{Given, beckmann_d, schlick_f};
+use crate::reference::ggx_missing::GgxMissing;
 use crate::reference::{beckmann_smith, kulla_conty};
 
 /// `blinn_phong::lobe`.
@@ -56,6 +57,7 @@ pub fn ggx_multi(at: &Given, alpha: f64, f0: f64) -> f64 {
     }
     let f90 = (50.0 * f0).min(1.0);
     let mean = glam::DVec3::splat(f0 + (f90 - f0) / 21.0);
-    let scale = kulla_conty::scale(kulla_conty::TABLE.mean(alpha), mean).x;
-    ggx(at, alpha, f0) + kulla_conty::between(at.nol, at.noe, alpha) * scale
+    let missing = GgxMissing::new(alpha);
+    let scale = kulla_conty::scale(missing.mean(), mean).x;
+    ggx(at, alpha, f0) + kulla_conty::between(&missing, at.nol, at.noe) * scale
 }

@@ -20,6 +20,7 @@ mod instructions;
 mod pareto;
 mod reference_picture;
 mod rows;
+mod sheet;
 mod sight;
 
 pub use choice::{Outcome, Priced, Promise, choose, predicted};
@@ -27,12 +28,10 @@ pub use forms::{mixes, name};
 pub use gallery::{DEFAULT, Exhibit};
 pub use pareto::{Point, front, nearest};
 pub use reference_picture::light as reference_light;
-pub use rows::{Found, Shown};
+pub use rows::Found;
+pub use sheet::Shown;
 pub use sight::{Sight, SightError, made_opaque};
 
-use std::time::Instant;
-
-use crate::reference::kulla_conty::Table;
 use crate::reference::ladders::Mix;
 use crate::reference::shade::Lighting;
 use crate::render::effects::EffectSet;
@@ -86,10 +85,6 @@ pub fn study(
     progress: &dyn Fn(),
 ) -> Result<Found, SightError> {
     let device = renderer.device();
-    let before = Instant::now();
-    let table = Table::new();
-    let table_ms = before.elapsed().as_secs_f64() * 1e3;
-    drop(table);
     let uploaded = scenes
         .iter()
         .map(|(_, scene)| Uploaded::new(renderer, scene, EffectSet::ALL))
@@ -119,14 +114,13 @@ pub fn study(
         rows: rows::rows(device, &measured, &exhibits, &errors)?,
         lamps: sweep(renderer, progress)?,
         promises,
-        shown: rows::shown(&exhibits, &models),
+        shown: sheet::shown(&exhibits, &models),
         method: CostMethod {
             plan: if options.full { "full" } else { "quick" }.to_owned(),
             size: options.size,
             rounds: options.rounds,
             lamps: LAMPS,
             paths: options.paths as u32,
-            table_ms,
         },
     })
 }

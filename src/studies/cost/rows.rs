@@ -2,20 +2,19 @@
 
 use std::sync::Arc;
 
+use super::Measured;
 use super::evaluations::Evaluation;
 use super::forms::{Form, TERMS};
 use super::fragments::Fragment;
 use super::gallery::Exhibit;
 use super::instructions::instructions;
 use super::pareto::{Point, front};
-use super::{Measured, name};
+use super::sheet::Shown;
 use crate::gpu::{Device, Error};
-use crate::reference::ladders::{Diffuse, Fresnel, Mix, Specular};
+use crate::reference::ladders::{Diffuse, Fresnel, Specular};
 use crate::reference::shade::Lighting;
-use crate::render::Picture;
 use crate::render::library::{Function, Tier, name_of_diffuse, name_of_fresnel, name_of_specular};
 use crate::report::{CostMethod, Interval95, LampRow, ModelRow, PromiseRow, SceneCost, TierRow};
-use crate::studies::difference::Display;
 use crate::studies::stability::{Amount, CASES, Study};
 
 /// What the study found.
@@ -31,23 +30,6 @@ pub struct Found {
     /// How.
     pub method: CostMethod,
 }
-
-/// A picture for people.
-pub struct Shown {
-    /// The scene's file.
-    pub scene: String,
-    /// What drew it.
-    pub tier: String,
-    /// Its mean of FLIP; none for the reference.
-    pub flip_mean: Option<f64>,
-    /// It.
-    pub picture: Picture,
-    /// How it is shown.
-    pub display: Display,
-}
-
-/// Models of each scene's sheet, beside the reference.
-const SHEET: usize = 7;
 
 /// Values behind a rounding error.
 const JUDGED: usize = 4096;
@@ -133,16 +115,8 @@ fn row(form: &Form, scenes: Vec<SceneCost>) -> TierRow {
         fragment_of_slides: None,
         fragment_of_slides_95: Interval95::UNBOUNDED,
         spirv_instructions: None,
-        needs_table: needs_table(form),
         pareto: false,
         scenes,
-    }
-}
-
-fn needs_table(form: &Form) -> bool {
-    match (form.term, form.lighting) {
-        ("specular" | "model", Lighting::Mixed(mix)) => mix.specular == Specular::GgxMulti,
-        _ => false,
     }
 }
 
@@ -222,70 +196,9 @@ fn mark_front(rows: &mut [TierRow], term: &str) {
     }
 }
 
-/// Each scene's reference, then models from the worst to the best: those on its front, and the slides'.
-pub(super) fn shown(exhibits: &[Exhibit], models: &[Lighting]) -> Vec<Shown> {
-    let mut all = Vec::new();
-    for exhibit in exhibits {
-        let display = exhibit.sight().display();
-        all.push(Shown {
-            scene: exhibit.name.clone(),
-            tier: "reference, f64".to_owned(),
-            flip_mean: None,
-            picture: exhibit.reference().clone(),
-            display,
-        });
-        let rows = exhibit.rows(models);
-        let on_front = |lighting: &Lighting, row: &Option<SceneCost>| {
-            let mix = matches!(lighting, Lighting::Mixed(Mix { .. }));
-            !mix || row.as_ref().is_some_and(|row| row.pareto)
-        };
-        let mut front: Vec<Lighting> = models
-            .iter()
-            .zip(&rows)
-            .filter(|(lighting, row)| on_front(lighting, row))
-            .map(|(lighting, _)| *lighting)
-            .collect();
-        let error = |lighting: &Lighting| {
-            let look = exhibit.seen(*lighting);
-            look.map_or(f64::NAN, |look| look.flip_mean)
-        };
-        front.sort_by(|a, b| error(b).total_cmp(&error(a)));
-        for lighting in spread(&front, SHEET) {
-            if let Some(look) = exhibit.seen(lighting) {
-                all.push(Shown {
-                    scene: exhibit.name.clone(),
-                    tier: name(lighting),
-                    flip_mean: Some(look.flip_mean),
-                    picture: look.picture.clone(),
-                    display,
-                });
-            }
-        }
-    }
-    all
-}
-
-/// So many of them, first and last among them, evenly.
-fn spread<T: Copy>(all: &[T], count: usize) -> Vec<T> {
-    if all.len() <= count {
-        return all.to_vec();
-    }
-    let last = (count - 1).max(1);
-    (0..count)
-        .map(|i| all[i * (all.len() - 1) / last])
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_sheet_holds_the_ends() {
-        let all: Vec<usize> = (0..20).collect();
-        assert_eq!(spread(&all, 4), [0, 6, 12, 19]);
-        assert_eq!(spread(&all[..3], 4), [0, 1, 2]);
-    }
 
     #[test]
     fn every_tier_has_a_function() {

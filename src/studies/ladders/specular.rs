@@ -6,6 +6,7 @@ use super::SEED;
 use super::fit::{distance, noise};
 use crate::math::frame::spherical;
 use crate::math::quadrature::{GaussLegendre, half_vectors};
+use crate::reference::ggx_missing::{GgxMissing, albedo};
 use crate::reference::ladders::{Fresnel, Specular};
 use crate::reference::reflectance::Reflectance;
 use crate::reference::spectral::METALS;
@@ -156,10 +157,8 @@ fn albedo_error(tier: Specular) -> f64 {
         for degrees in [0.0_f64, 30.0, 60.0, 75.0, 85.0] {
             let e = spherical(degrees.to_radians(), 0.0);
             let back = match tier {
-                Specular::Ggx => kulla_conty::albedo(e.z, alpha),
-                Specular::GgxMulti => {
-                    kulla_conty::albedo(e.z, alpha) + kulla_conty::TABLE.missing(e.z, alpha)
-                }
+                Specular::Ggx => albedo(e.z, alpha),
+                Specular::GgxMulti => albedo(e.z, alpha) + GgxMissing::new(alpha).at(e.z),
                 _ => half_vectors(&rule, N, e, alpha, |l| f(tier, l, e, alpha) * l.z),
             };
             worst = worst.max((back - 1.0).abs());

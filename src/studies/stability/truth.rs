@@ -100,7 +100,7 @@ impl Truth {
         match self.function.name {
             // Amplitudes are squared twice.
             "dielectric-f" | "conductor-f" => 5.0,
-            // A cube root and a logarithm find its place in the table.
+            // A polynomial of terms that cancel.
             "ggx-multi" => 2.0,
             _ => 1.0,
         }
