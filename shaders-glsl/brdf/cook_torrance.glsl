@@ -7,7 +7,7 @@
 #include "math/half_vector.glsl"
 
 // f NoL / F = D G / (4 NoE), with D normalised; NoL = N.L and NoE = N.E at least COS_MIN; m2 of beckmann_m2.
-// N.h >= 2^-21, so every divisor is at least 2^-64, and the lobe finite. Errs as D_Beckmann does.
+// N.h >= 2^-21 and hh >= 2^-44, so every divisor is at least 2^-64, and the lobe finite. Errs as D_Beckmann does.
 float cook_torrance_facets(HalfVector h, float NoL, float NoE, float m2) {
     float D = D_Beckmann(h.sine2, h.Noh * h.Noh, h.hh, m2);
     return D * G_hh_VCavity(NoL, NoE, h.hh) / (4.0 * NoE * h.hh);

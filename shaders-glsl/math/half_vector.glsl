@@ -4,18 +4,17 @@
 struct HalfVector {
     float Noh;         // N.h = N.L + N.E
     float sine2;       // |N x h|^2
-    float hh;          // h.h, at least Noh^2
+    float hh;          // h.h
     float difference2; // |L - E|^2 = 4 - hh
 };
 
-// tan^2 comes from the cross product, which keeps the digits that 1 - (N.H)^2 loses. |h| >= N.h, which rounding breaks
-// where L is close to -E, so hh is held to it.
+// tan^2 comes from the cross product, which keeps the digits that 1 - (N.H)^2 loses. For cosines of at least COS_MIN N.h is at
+// least 2^-21 with an error of 2^-22, so hh is at least 2^-44: nothing that divides by it divides by 0.
 HalfVector half_vector(vec3 N, vec3 L, vec3 E, float NoL, float NoE) {
     vec3 h = L + E;
     vec3 difference = L - E;
     vec3 sine = cross(N, h);
-    float Noh = NoL + NoE;
-    return HalfVector(Noh, dot(sine, sine), max(dot(h, h), Noh * Noh), dot(difference, difference));
+    return HalfVector(NoL + NoE, dot(sine, sine), dot(h, h), dot(difference, difference));
 }
 
 // Cosine between light and facet, E.H = |h|/2.

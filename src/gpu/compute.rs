@@ -9,6 +9,7 @@ use super::commands::Recorder;
 use super::descriptors::DescriptorSet;
 use super::device::Device;
 use super::error::{Error, Named};
+use super::executable_statistics::{self, Statistic};
 use super::pipeline::{Constant, Module, Spirv, specialization, stage_info};
 use super::pipeline_cache::PipelineCache;
 use super::pipeline_layout::PipelineLayout;
@@ -49,6 +50,7 @@ impl ComputePipeline {
             .map_entries(&entries)
             .data(bytemuck::cast_slice(&values));
         let info = vk::ComputePipelineCreateInfo::default()
+            .flags(executable_statistics::flags(device))
             .stage(stage_info(
                 vk::ShaderStageFlags::COMPUTE,
                 &module,
@@ -69,6 +71,14 @@ impl ComputePipeline {
             layout: Arc::clone(layout),
             device: Arc::clone(device),
         })
+    }
+
+    /// What the driver tells of its code; nothing where it cannot tell.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn statistics(&self) -> Result<Vec<Statistic>, Error> {
+        executable_statistics::of(&self.device, self.raw)
     }
 }
 

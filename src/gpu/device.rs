@@ -5,6 +5,7 @@ use std::mem::ManuallyDrop;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use ash::khr::pipeline_executable_properties;
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use gpu_allocator::vulkan::{
@@ -12,6 +13,7 @@ use gpu_allocator::vulkan::{
 };
 
 use super::error::{Error, Named};
+use super::executable_statistics;
 use super::format::Samples;
 use super::instance::Instance;
 use super::requirements;
@@ -34,6 +36,8 @@ pub struct Device {
     pub(super) max_buffer_bytes: u64,
     pub(super) preserves_nan: bool,
     draws_indirect: bool,
+    /// Where the driver tells of the code that it makes.
+    pub(super) executable_properties: Option<pipeline_executable_properties::Device>,
     pub(super) cache_key: CacheKey,
     samples: Vec<Samples>,
     info: DeviceInfo,
@@ -67,8 +71,11 @@ impl Device {
         }
         let (queue_family, family) = requirements::graphics_queue(&instance.raw, physical)
             .ok_or_else(|| unsuitable("a graphics queue".into()))?;
-        let draws_indirect = requirements::draws_indirect(&instance.raw, physical);
-        let raw = create(instance, physical, queue_family, draws_indirect)?;
+        let extras = Extras {
+            draws_indirect: requirements::draws_indirect(&instance.raw, physical),
+            tells_statistics: executable_statistics::are_told(&instance.raw, physical),
+        };
+        let raw = create(instance, physical, queue_family, extras)?;
         // SAFETY: family and index are those the device was created with.
         let queue = unsafe { raw.get_device_queue(queue_family, 0) };
         let allocator = match create_allocator(instance, &raw, physical) {
@@ -85,6 +92,9 @@ impl Device {
             debug_utils: instance
                 .has_debug_utils()
                 .then(|| ash::ext::debug_utils::Device::new(&instance.raw, &raw)),
+            executable_properties: extras
+                .tells_statistics
+                .then(|| pipeline_executable_properties::Device::new(&instance.raw, &raw)),
             raw,
             queue: Mutex::new(queue),
             queue_family,
@@ -92,7 +102,7 @@ impl Device {
             timestamp_bits: family.timestamp_valid_bits,
             max_buffer_bytes: facts.max_buffer_bytes,
             preserves_nan: facts.preserves_nan,
-            draws_indirect,
+            draws_indirect: extras.draws_indirect,
             cache_key: facts.cache_key,
             samples: requirements::sample_counts(&instance.raw, physical),
             info,
@@ -379,11 +389,18 @@ impl Facts {
     }
 }
 
+/// What no frame needs, where the device has it.
+#[derive(Clone, Copy)]
+struct Extras {
+    draws_indirect: bool,
+    tells_statistics: bool,
+}
+
 fn create(
     instance: &Instance,
     physical: vk::PhysicalDevice,
     queue_family: u32,
-    draws_indirect: bool,
+    extras: Extras,
 ) -> Result<ash::Device, Error> {
     let priorities = [1.0];
     let queues = [vk::DeviceQueueCreateInfo::default()
@@ -394,16 +411,24 @@ fn create(
     let core = vk::PhysicalDeviceFeatures::default()
         .robust_buffer_access(true)
         .full_draw_index_uint32(true)
-        .multi_draw_indirect(draws_indirect)
-        .draw_indirect_first_instance(draws_indirect);
+        .multi_draw_indirect(extras.draws_indirect)
+        .draw_indirect_first_instance(extras.draws_indirect);
     let mut core_13 = vk::PhysicalDeviceVulkan13Features::default()
         .dynamic_rendering(true)
         .synchronization2(true)
         .shader_demote_to_helper_invocation(true);
-    let info = vk::DeviceCreateInfo::default()
+    let mut statistics = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default()
+        .pipeline_executable_info(true);
+    let extensions = [pipeline_executable_properties::NAME.as_ptr()];
+    let mut info = vk::DeviceCreateInfo::default()
         .queue_create_infos(&queues)
         .enabled_features(&core)
         .push_next(&mut core_13);
+    if extras.tells_statistics {
+        info = info
+            .enabled_extension_names(&extensions)
+            .push_next(&mut statistics);
+    }
     // SAFETY: `physical` is this instance's; every pointer in `info` lives until the call returns;
     // `requirements` found the features present.
     unsafe { instance.raw.create_device(physical, &info, None) }.named("vkCreateDevice")

@@ -8,7 +8,8 @@ use super::library::{Function, MODEL, Tier};
 use super::variant::Variant;
 use crate::gpu::{
     Binding, BindingKind, Buffer, BufferUse, ComputePipeline, Constant, DescriptorSet, Device,
-    Error, PipelineCache, PipelineLayout, Recorder, Resource, SetLayout, Spirv, Timestamps,
+    Error, PipelineCache, PipelineLayout, Recorder, Resource, SetLayout, Spirv, Statistic,
+    Timestamps,
 };
 use crate::interface::reflected::{bindings, constants, values};
 use crate::interface::{ProbeInput, ProbeResult};
@@ -186,6 +187,14 @@ impl Probe {
                 repeats,
             },
         })
+    }
+
+    /// What the driver tells of the code that a clock runs; nothing where it cannot tell.
+    ///
+    /// # Errors
+    /// The driver fails.
+    pub fn statistics(&self) -> Result<Vec<Statistic>, Error> {
+        self.pipeline(values::SOURCE_AGAIN)?.statistics()
     }
 
     fn pipeline(&self, source: i32) -> Result<Arc<ComputePipeline>, Error> {

@@ -1,5 +1,7 @@
 //! What does accuracy cost: as rows, and as tables?
 
+use std::collections::BTreeMap;
+
 use super::interval::Interval95;
 use super::provenance::{Device, Machine, Program};
 use super::table::{Align, write_table};
@@ -80,6 +82,9 @@ pub struct TierRow {
     pub fragment_of_slides_95: Interval95,
     /// Instructions of optimised SPIR-V beyond those of a surface without light; null without spirv-opt.
     pub spirv_instructions: Option<u64>,
+    /// What the driver tells of the probe's code (VK_KHR_pipeline_executable_properties), in its own words; empty where it tells nothing.
+    #[serde(default)]
+    pub driver_statistics: BTreeMap<String, f64>,
     /// No other tier of the term, or no other model, has a smaller error in less time.
     pub pareto: bool,
     /// Scene by scene.

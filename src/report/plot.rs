@@ -77,7 +77,11 @@ pub struct Point {
 const WIDTH: f64 = 620.0;
 const HEIGHT: f64 = 384.0;
 const LEFT: f64 = 58.0;
-const RIGHT: f64 = WIDTH - 186.0;
+/// Beside the axes, for names of lines: at least, and for each letter.
+const NAMES: f64 = 186.0;
+const LETTER: f64 = 6.1;
+/// From the axes to a name.
+const NAME_AT: f64 = 23.0;
 const TOP: f64 = 14.0;
 const BOTTOM: f64 = HEIGHT - 48.0;
 /// The least distance of two names.
@@ -207,7 +211,8 @@ pub fn chart(chart: &Chart) -> Option<String> {
     )?;
     let across = points().filter_map(|point| point.across);
     let across = across.flat_map(|(low, high)| [low, high]);
-    let x = Scale::over(points().map(|point| point.x).chain(across), LEFT, RIGHT)?;
+    let right = WIDTH - names_take(chart);
+    let x = Scale::over(points().map(|point| point.x).chain(across), LEFT, right)?;
     let mut svg = format!(
         "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{} against {}\">\n",
         escape(&chart.y),
@@ -221,7 +226,7 @@ pub fn chart(chart: &Chart) -> Option<String> {
         let at = y.at(*level);
         put!(
             svg,
-            "<path class=\"level\" d=\"M{LEFT} {at:.1}H{RIGHT}\"/>\n"
+            "<path class=\"level\" d=\"M{LEFT} {at:.1}H{right}\"/>\n"
         );
     }
     for line in &lines {
@@ -230,6 +235,14 @@ pub fn chart(chart: &Chart) -> Option<String> {
     names(&mut svg, chart, &lines, &x, &y);
     svg.push_str("</svg>\n");
     Some(svg)
+}
+
+/// How far the axes end from the edge, so that the longest name has room.
+fn names_take(chart: &Chart) -> f64 {
+    let names = chart.lines.iter().map(|line| &line.name);
+    let names = names.chain(chart.level.iter().map(|(_, name)| name));
+    let longest = names.map(|name| name.chars().count()).max().unwrap_or(0);
+    NAMES.max(NAME_AT + LETTER * longest as f64)
 }
 
 /// Lines with the points that can be shown, from left to right.
@@ -253,7 +266,7 @@ fn shown(lines: &[Line]) -> Vec<Line> {
 fn axes(svg: &mut String, chart: &Chart, x: &Scale, y: &Scale) {
     for tick in y.ticks() {
         let at = y.at(tick);
-        put!(svg, "<path class=\"grid\" d=\"M{LEFT} {at:.1}H{RIGHT}\"/>");
+        put!(svg, "<path class=\"grid\" d=\"M{LEFT} {at:.1}H{}\"/>", x.to);
         put!(
             svg,
             "<text class=\"tick end\" x=\"{:.1}\" y=\"{:.1}\">{}</text>\n",
@@ -274,12 +287,13 @@ fn axes(svg: &mut String, chart: &Chart, x: &Scale, y: &Scale) {
     }
     put!(
         svg,
-        "<path class=\"axis\" d=\"M{LEFT} {TOP}V{BOTTOM}H{RIGHT}\"/>\n"
+        "<path class=\"axis\" d=\"M{LEFT} {TOP}V{BOTTOM}H{}\"/>\n",
+        x.to
     );
     put!(
         svg,
         "<text class=\"name mid\" x=\"{:.1}\" y=\"{:.1}\">{}</text>\n",
-        LEFT.midpoint(RIGHT),
+        LEFT.midpoint(x.to),
         BOTTOM + 38.0,
         escape(&chart.x)
     );
@@ -309,7 +323,7 @@ fn draw_mark(svg: &mut String, mark: &Mark, x: &Scale, place: usize) {
     }
     put!(svg, "<path class=\"mark\" d=\"M{at:.1} {TOP}V{BOTTOM}\"/>");
     // On the side where there is more room.
-    let (class, beside) = match at < LEFT.midpoint(RIGHT) {
+    let (class, beside) = match at < LEFT.midpoint(x.to) {
         true => ("label", at + 5.0),
         false => ("label end", at - 5.0),
     };
@@ -390,22 +404,22 @@ fn names(svg: &mut String, chart: &Chart, lines: &[Line], x: &Scale, y: &Scale) 
         }
     }
     if let Some((level, name)) = &chart.level {
-        names.push((y.at(*level), RIGHT, "ink", name));
+        names.push((y.at(*level), x.to, "ink", name));
     }
     names.sort_by(|a, b| a.0.total_cmp(&b.0));
     let wanted: Vec<f64> = names.iter().map(|name| name.0).collect();
     for ((from, end, colour, name), to) in names.into_iter().zip(apart(&wanted)) {
-        let elbow = RIGHT + 4.0;
+        let elbow = x.to + 4.0;
         put!(
             svg,
             "<path class=\"lead {colour}\" d=\"M{:.1} {from:.1}H{elbow}L{:.1} {to:.1}h6\"/>",
             end + 5.0,
-            RIGHT + 14.0
+            x.to + 14.0
         );
         put!(
             svg,
             "<text class=\"label\" x=\"{:.1}\" y=\"{:.1}\">{}</text>\n",
-            RIGHT + 23.0,
+            x.to + NAME_AT,
             to + 4.0,
             escape(name)
         );

@@ -1,5 +1,7 @@
 //! Is the page of a cost report well-formed, whole and safe, and do its sentences say what its rows hold?
 
+use std::collections::BTreeMap;
+
 use umber::report::{
     CostMethod, CostReport, Device, Interval95, LampRow, Machine, Program, PromiseRow, Sample,
     SceneCost, TierRow, cost_page,
@@ -44,6 +46,7 @@ fn row(term: &str, tier: &str, error: f64, of_slides: f64, pareto: bool) -> Tier
         fragment_of_slides: None,
         fragment_of_slides_95: BOUNDS,
         spirv_instructions: None,
+        driver_statistics: BTreeMap::from([("main: Register Count".to_owned(), 64.0)]),
         pareto,
         scenes: vec![scene("<zoo>", error / 10.0), scene("plates", 0.0)],
     }

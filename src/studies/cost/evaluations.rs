@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::gpu::{Device, Error};
+use crate::gpu::{Device, Error, Statistic};
 use crate::interface::ProbeInput;
 use crate::math::statistics::Interval;
 use crate::reference::shade::{Lighting, Terms};
@@ -13,7 +13,7 @@ use crate::studies::clocks::times;
 use crate::studies::stability::CASES;
 
 /// A form's time, net of reading inputs and writing results.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Evaluation {
     /// Median, ns.
     pub ns: f64,
@@ -21,6 +21,8 @@ pub struct Evaluation {
     pub ns_mad: f64,
     /// Over the slides' listings, round by round.
     pub of_slides: Interval,
+    /// What the driver tells of its code.
+    pub statistics: Vec<Statistic>,
 }
 
 /// What all are compared with: the slides' listings, to the letter.
@@ -53,11 +55,12 @@ pub fn evaluations(
             .map(|variant| Probe::of_model(device, variant))
             .collect::<Result<_, _>>()?;
         let times = times(device, &probes, &inputs)?;
-        for form in 1..probes.len() {
+        for (form, probe) in probes.iter().enumerate().skip(1) {
             all.push(Evaluation {
                 ns: times.of(form).unwrap_or(f64::NAN),
                 ns_mad: times.mad(form).unwrap_or(f64::NAN),
                 of_slides: times.ratio(form, 0).unwrap_or(Interval::UNKNOWN),
+                statistics: probe.statistics()?,
             });
             progress();
         }

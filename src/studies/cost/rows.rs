@@ -1,5 +1,6 @@
 //! How does what was measured become rows?
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Measured;
@@ -115,6 +116,7 @@ fn row(form: &Form, scenes: Vec<SceneCost>) -> TierRow {
         fragment_of_slides: None,
         fragment_of_slides_95: Interval95::UNBOUNDED,
         spirv_instructions: None,
+        driver_statistics: BTreeMap::new(),
         pareto: false,
         scenes,
     }
@@ -125,6 +127,9 @@ fn timed(row: &mut TierRow, evaluation: &Evaluation, fragment: Option<&Fragment>
     row.ns_mad = Some(evaluation.ns_mad);
     row.of_slides = Some(evaluation.of_slides.estimate);
     row.of_slides_95 = evaluation.of_slides.into();
+    let statistics = evaluation.statistics.iter();
+    let named = statistics.map(|told| (format!("{}: {}", told.executable, told.name), told.value));
+    row.driver_statistics = named.collect();
     if let Some(fragment) = fragment {
         row.ns_per_fragment = Some(fragment.ns);
         row.fragment_of_slides = Some(fragment.of_slides.estimate);

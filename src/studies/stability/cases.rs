@@ -131,14 +131,19 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "opposite-grazing",
-        what: "L almost -E, both near the surface: products cancel",
+        what: "L almost -E, both near the surface: products cancel; and at the roughest, lobes",
         source: "the slides' Cook-Torrance listing: 100 % wrong at a cosine of 1e-3",
         make: |rng| {
             let n = direction(rng);
             let t = tangent(rng, n);
             let l = tilted(n, t, logarithmic(rng, 1e-6, 1e-2));
             let e = tilted(n, -t, logarithmic(rng, 1e-6, 1e-2));
-            of(n, l, e, rng)
+            let input = of(n, l, e, rng);
+            let roughness = match rng.u8(0..4) {
+                0 => 1.0,
+                _ => input.roughness,
+            };
+            ProbeInput { roughness, ..input }
         },
     },
     Case {
@@ -208,6 +213,21 @@ pub const CASES: &[Case] = &[
             };
             let n = unit(Vec3::new(coded(n.x), coded(n.y), coded(n.z)));
             of(n, above(rng, n), above(rng, n), rng)
+        },
+    },
+    Case {
+        name: "loose-length",
+        what: "lengths off 1 by up to 4.5e-7, f0 down to 1e-4: 1 - H.E is not what L - E says",
+        source: "Vulkan 1.3, precision of InverseSqrt: 2 units in the last place, and a product's rounding",
+        make: |rng| {
+            let n = direction(rng);
+            let vectors = [n, above(rng, n), above(rng, n)];
+            let loose = vectors.map(|v| v * (1.0 + 4.5e-7 * (2.0 * rng.f32() - 1.0)));
+            let f0 = logarithmic(rng, 1e-4, 1.0);
+            ProbeInput {
+                f0,
+                ..of(loose[0], loose[1], loose[2], rng)
+            }
         },
     },
     Case {

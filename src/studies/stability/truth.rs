@@ -59,7 +59,9 @@ impl Truth {
             "dielectric-f" => |at, to| fresnel::dielectric(at, f0(to)),
             "conductor-f" => |at, to| fresnel::conductor(at, extra(to)[0], extra(to)[1]),
             "spectral-f" => |at, to| fresnel::spectral(at, f0(to), extra(to)),
-            _ => |at, to| given::corrected(at, sigma(to), f0(to)),
+            "corrected" => |at, to| given::corrected(at, sigma(to), f0(to)),
+            // Of what has no truth every value is wrong.
+            _ => |_, _| f64::NAN,
         };
         Self { function, value }
     }
