@@ -119,7 +119,8 @@ fn write_method(page: &mut String, report: &CostReport) {
         ),
         ("*", "No other tier of the term, or model, has a smaller error in less time.".to_owned()),
         ("rounding", "The largest error of the 32-bit function against its twin in f64, at random angles above the surface.".to_owned()),
-        ("SPIR-V", "Instructions of the surface's shader beyond those without light, after spirv-opt.".to_owned()),
+        ("SPIR-V", "Instructions of the surface's shader beyond those without light, after spirv-opt. What the driver tells of its own code, if it \
+                 does, is in the JSON: driver_statistics.".to_owned()),
         ("clock", report.program.clock.clone()),
     ];
     page::write_items(page, &items);
