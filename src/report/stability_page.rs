@@ -178,7 +178,7 @@ fn write_method(page: &mut String, report: &StabilityReport) {
         ("judged", "Values where accuracy is promised: cosines of 1e-6 and more, roughness of 1e-4 and more, the lobe at least \
           1e-6 of its peak. The others must be numbers of at least 0.".to_owned()),
         ("of bound", "The largest error over what is allowed there, relative to the truth: 2e-6 + 2e-7/c without a peak and \
-          1e-6/m + 3e-6/c with one in f32 (c: the smaller cosine, m: roughness), 2e-6 and 1e-5 in f32-compensated; in f16 2e-3 + 1e-3/c from a \
+          2e-6 + 1e-6/m + 3e-6/c with one in f32 (c: the smaller cosine, m: roughness), 2e-6 and 1e-5 in f32-compensated; in f16 2e-3 + 1e-3/c from a \
           cosine of 0.01 on for oren-nayar, 5e-3 for schlick-f.".to_owned()),
         ("bits lost", "log2(1 + error in units of the truth's last place).".to_owned()),
         ("chance", "Inputs that the shader draws; every value is counted, each hundredth judged.".to_owned()),
