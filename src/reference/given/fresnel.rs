@@ -29,9 +29,12 @@ fn f82_dip(at: &Given, f0: f64, tint: f64) -> f64 {
 /// `dielectric::f` of an index with that f0.
 pub fn dielectric(at: &Given, f0: f64) -> f64 {
     let (mu, _) = cosine(at);
-    if f0 == 0.0 || mu == 0.0 {
-        // At grazing everything is a mirror, but for no interface.
-        return if f0 == 0.0 { 0.0 } else { 1.0 };
+    if f0 == 0.0 {
+        return 0.0;
+    }
+    // At grazing every interface is a mirror.
+    if mu == 0.0 {
+        return 1.0;
     }
     let r = f0.sqrt();
     let (p, q) = (1.0 + r, 1.0 - r);

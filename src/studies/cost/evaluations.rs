@@ -10,7 +10,7 @@ use crate::render::Variant;
 use crate::render::library::MODEL;
 use crate::render::probe::Probe;
 use crate::studies::clocks::times;
-use crate::studies::stability::CASES;
+use crate::studies::stability::{CASES, with_extra};
 
 /// A form's time, net of reading inputs and writing results.
 #[derive(Clone, Debug)]
@@ -71,9 +71,6 @@ pub fn evaluations(
 /// Light and eye anywhere above the surface, and any material.
 fn drawn(count: usize) -> Vec<ProbeInput> {
     let mut inputs = CASES[0].inputs(1, count);
-    let mut rng = fastrand::Rng::with_seed(1);
-    for input in &mut inputs {
-        input.extra = MODEL.extra_at([(); 4].map(|()| rng.f32()));
-    }
+    with_extra(&MODEL, &mut inputs, 1);
     inputs
 }

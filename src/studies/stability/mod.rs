@@ -210,7 +210,7 @@ impl Study {
 }
 
 /// Draws what a function takes beside, for inputs that were made without it.
-fn with_extra(function: &Function, inputs: &mut [ProbeInput], seed: u64) {
+pub fn with_extra(function: &Function, inputs: &mut [ProbeInput], seed: u64) {
     let mut rng = fastrand::Rng::with_seed(seed);
     for input in inputs {
         input.extra = function.extra_at([(); 4].map(|()| rng.f32()));
