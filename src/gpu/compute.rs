@@ -57,9 +57,12 @@ impl ComputePipeline {
                 &constants,
             ))
             .layout(layout.raw);
-        // SAFETY: every pointer lives until the call returns; the cache is locked by `with_raw`.
-        let made = cache
-            .with_raw(|cache| unsafe { device.raw.create_compute_pipelines(cache, &[info], None) });
+        // SAFETY: every pointer lives until the call returns; the driver synchronises the cache.
+        let made = unsafe {
+            device
+                .raw
+                .create_compute_pipelines(cache.raw, &[info], None)
+        };
         let raw = match made {
             Ok(pipelines) => pipelines[0],
             Err((_, result)) => return Err(result).named("vkCreateComputePipelines"),

@@ -252,12 +252,12 @@ fn create(
         .dynamic_state(&dynamic)
         .layout(layout.raw)
         .push_next(&mut rendering);
-    // SAFETY: every pointer lives until the call returns; the cache is locked by `with_raw`.
-    let made = cache.with_raw(|cache| unsafe {
+    // SAFETY: every pointer lives until the call returns; the driver synchronises the cache.
+    let made = unsafe {
         device
             .raw
-            .create_graphics_pipelines(cache, &[pipeline], None)
-    });
+            .create_graphics_pipelines(cache.raw, &[pipeline], None)
+    };
     match made {
         Ok(pipelines) => Ok(pipelines[0]),
         Err((_, result)) => Err(result).named("vkCreateGraphicsPipelines"),

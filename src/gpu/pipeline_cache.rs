@@ -6,7 +6,7 @@
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use ash::vk;
 
@@ -20,7 +20,8 @@ const MAGIC: &[u8; 8] = b"umberPC1";
 
 /// A pipeline cache, optionally kept in a file.
 pub struct PipelineCache {
-    raw: Mutex<vk::PipelineCache>,
+    /// Drivers synchronise its use by themselves.
+    pub(super) raw: vk::PipelineCache,
     file: Option<PathBuf>,
     loaded: usize,
     device: Arc<Device>,
@@ -41,7 +42,7 @@ impl PipelineCache {
         };
         device.name(raw, "pipeline cache");
         Ok(Self {
-            raw: Mutex::new(raw),
+            raw,
             file,
             loaded,
             device: Arc::clone(device),
@@ -56,8 +57,8 @@ impl PipelineCache {
     /// cannot be kept costs time at the next start and nothing else, so no error is reported.
     pub fn save(&self) {
         let Some(file) = &self.file else { return };
-        // SAFETY: the lock is the cache's external synchronisation.
-        let content = self.with_raw(|raw| unsafe { self.device.raw.get_pipeline_cache_data(raw) });
+        // SAFETY: the cache lives, and reading it is synchronised by the driver.
+        let content = unsafe { self.device.raw.get_pipeline_cache_data(self.raw) };
         if let Ok(content) = content
             && content.len() != self.loaded
         {
@@ -65,17 +66,12 @@ impl PipelineCache {
             let _ = write(file, &content);
         }
     }
-
-    pub(super) fn with_raw<T>(&self, work: impl FnOnce(vk::PipelineCache) -> T) -> T {
-        let raw = self.raw.lock().unwrap_or_else(PoisonError::into_inner);
-        work(*raw)
-    }
 }
 
 impl Drop for PipelineCache {
     fn drop(&mut self) {
         // SAFETY: pipelines do not need the cache once they exist, and nobody else has it.
-        self.with_raw(|raw| unsafe { self.device.raw.destroy_pipeline_cache(raw, None) });
+        unsafe { self.device.raw.destroy_pipeline_cache(self.raw, None) };
     }
 }
 

@@ -5,6 +5,7 @@
 //! drawn to the surface, and their normals are the function's gradient.
 
 use glam::{UVec3, Vec3};
+use rayon::prelude::*;
 
 use super::surface::Surface;
 
@@ -35,23 +36,12 @@ pub fn mesh(
     let (mut surface, vertices) = grid.vertices();
     surface.positions.iter_mut().for_each(|p| *p = place(*p));
     grid.faces(&vertices, &mut surface.indices);
-    let share = surface.positions.len().div_ceil(threads()).max(1);
-    std::thread::scope(|scope| {
-        let normals = surface.normals.chunks_mut(share);
-        for (positions, normals) in surface.positions.chunks_mut(share).zip(normals) {
-            let distance = &distance;
-            scope.spawn(move || {
-                for (position, normal) in positions.iter_mut().zip(normals) {
-                    (*position, *normal) = settle(distance, *position, cell);
-                }
-            });
-        }
+    let positions = surface.positions.par_iter_mut();
+    let vertices = positions.zip(&mut surface.normals);
+    vertices.for_each(|(position, normal)| {
+        (*position, *normal) = settle(&distance, *position, cell);
     });
     surface
-}
-
-fn threads() -> usize {
-    std::thread::available_parallelism().map_or(1, |n| n.get())
 }
 
 /// Draws a vertex to the surface, and finds the normal there.
@@ -98,23 +88,8 @@ impl Grid {
             values: vec![0.0; size[0] * size[1] * size[2]],
         };
         let layer = size[0] * size[1] * BLOCK;
-        let share = (size[2] / BLOCK).div_ceil(threads());
-        std::thread::scope(|scope| {
-            for (index, layers) in grid.values.chunks_mut(layer * share).enumerate() {
-                scope.spawn(move || {
-                    for (n, values) in layers.chunks_mut(layer).enumerate() {
-                        fill_layer(
-                            values,
-                            low,
-                            cell,
-                            size,
-                            (index * share + n) * BLOCK,
-                            distance,
-                        );
-                    }
-                });
-            }
-        });
+        let layers = grid.values.par_chunks_mut(layer).enumerate();
+        layers.for_each(|(n, values)| fill_layer(values, low, cell, size, n * BLOCK, distance));
         grid
     }
 

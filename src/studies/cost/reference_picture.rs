@@ -4,6 +4,7 @@
 //! frame differs from this picture by its shading alone.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::reference::hemisphere::Surroundings;
 use crate::reference::ladders::{Fresnel, Mix};
@@ -47,21 +48,8 @@ pub fn reference_picture(
 
 /// All rows, top to bottom, on all processors.
 fn rows(height: u32, row: &(impl Fn(u32) -> Vec<[f32; 4]> + Sync)) -> Vec<[f32; 4]> {
-    let workers = std::thread::available_parallelism().map_or(1, usize::from) as u32;
-    let work = |worker: u32| {
-        let own = (worker..height).step_by(workers as usize);
-        own.map(|y| (y, row(y))).collect::<Vec<_>>()
-    };
-    let work = &work;
-    let mut rows: Vec<(u32, Vec<[f32; 4]>)> = std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..workers)
-            .map(|worker| scope.spawn(move || work(worker)))
-            .collect();
-        let done = handles.into_iter().filter_map(|handle| handle.join().ok());
-        done.flatten().collect()
-    });
-    rows.sort_by_key(|(y, _)| *y);
-    rows.into_iter().flat_map(|(_, row)| row).collect()
+    let rows: Vec<_> = (0..height).into_par_iter().map(row).collect();
+    rows.concat()
 }
 
 /// What each pixel is shaded from.
