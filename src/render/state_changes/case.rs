@@ -1,10 +1,10 @@
 //! What does a mode make for a scene, and which commands does it record?
 
 use std::ops::Range;
+use std::sync::Arc;
 use std::time::Instant;
 
 use super::super::draw_list::Draw;
-use super::super::geometry::Attributes;
 use super::canvas::{self, Drawing};
 use super::mode::{Call, Change, Mode};
 use super::own::Own;
@@ -18,16 +18,19 @@ use crate::gpu::{
 pub struct Case<'s> {
     mode: &'static Mode,
     stage: &'s Stage<'s>,
-    attributes: Attributes,
-    /// Whether faces may be seen from behind.
-    two_sided: bool,
-    /// One, or one for each material.
-    pipelines: Vec<Pipeline>,
-    own: Own,
+    equipment: Arc<Equipment>,
     /// For each draw, which of the things that differ between materials it needs.
     keys: Vec<u32>,
     indirect: Option<IndirectDraws>,
     runs: Vec<Run>,
+    /// Device memory of the indirect draws, bytes.
+    memory_bytes: u64,
+}
+
+/// What a mode needs for the materials of a scene, in whatever order its objects are drawn.
+pub struct Equipment {
+    pipelines: ModePipelines,
+    own: Own,
     made: Made,
 }
 
@@ -49,14 +52,14 @@ pub struct Made {
     pub memory_bytes: u64,
 }
 
-impl<'s> Case<'s> {
+impl Equipment {
     /// Makes what the mode needs. Nothing of it is rasterised where `discard` is set.
     ///
     /// # Errors
     /// The device cannot, there is no memory, or the driver fails.
     pub fn new(
-        stage: &'s Stage<'s>,
-        mode: &'static Mode,
+        stage: &Stage,
+        mode: &Mode,
         discard: bool,
         cache: &PipelineCache,
     ) -> Result<Self, Error> {
@@ -69,34 +72,60 @@ impl<'s> Case<'s> {
             mode.output
         };
         let before = Instant::now();
-        let ModePipelines {
+        let pipelines = ModePipelines::new(stage, mode, &own, output, cache)?;
+        Ok(Self {
+            made: Made {
+                calls_ms: before.elapsed().as_secs_f64() * 1e3,
+                pipelines: pipelines.pipelines.len() as u64,
+                memory_bytes: device.memory_in_use().saturating_sub(memory),
+            },
             pipelines,
-            attributes,
-            two_sided,
-        } = ModePipelines::new(stage, mode, &own, output, cache)?;
-        let calls_ms = before.elapsed().as_secs_f64() * 1e3;
-        let count = own.count().unwrap_or(u32::MAX);
+            own,
+        })
+    }
+}
+
+impl<'s> Case<'s> {
+    /// Makes what the mode needs, and draws the scene with it.
+    ///
+    /// # Errors
+    /// As [`Equipment::new`].
+    pub fn new(
+        stage: &'s Stage<'s>,
+        mode: &'static Mode,
+        discard: bool,
+        cache: &PipelineCache,
+    ) -> Result<Self, Error> {
+        let equipment = Equipment::new(stage, mode, discard, cache)?;
+        Self::with(stage, mode, Arc::new(equipment))
+    }
+
+    /// Draws the scene with what was made for this mode and this scene's materials.
+    ///
+    /// # Errors
+    /// There is no memory, or the driver fails.
+    pub fn with(
+        stage: &'s Stage<'s>,
+        mode: &'static Mode,
+        equipment: Arc<Equipment>,
+    ) -> Result<Self, Error> {
+        let device = &stage.renderer.device;
+        let memory = device.memory_in_use();
+        let count = equipment.own.count().unwrap_or(u32::MAX);
         let keys = stage.draws.iter().map(|(_, material)| material % count);
         let indirect = (mode.call == Call::Indirect)
             .then(|| indirect(stage))
             .transpose()?;
         Ok(Self {
             mode,
-            attributes,
-            two_sided,
-            made: Made {
-                calls_ms,
-                pipelines: pipelines.len() as u64,
-                memory_bytes: device.memory_in_use().saturating_sub(memory),
-            },
-            pipelines,
-            own,
+            equipment,
             keys: keys.collect(),
             indirect,
             runs: match mode.call {
                 Call::Instanced => runs(stage),
                 _ => Vec::new(),
             },
+            memory_bytes: device.memory_in_use().saturating_sub(memory),
             stage,
         })
     }
@@ -120,11 +149,11 @@ impl<'s> Case<'s> {
     fn change<'a>(&'a self, pass: &mut Pass<'_, 'a>, key: u32) {
         match self.mode.change {
             Change::Nothing => {}
-            Change::Push | Change::Window | Change::Set => self.own.bind(pass, key),
+            Change::Push | Change::Window | Change::Set => self.equipment.own.bind(pass, key),
             Change::Pipeline | Change::SamePipeline => pass.bind_pipeline(self.pipeline(key)),
             Change::PipelineAndSet => {
                 pass.bind_pipeline(self.pipeline(key));
-                self.own.bind(pass, key);
+                self.equipment.own.bind(pass, key);
             }
             Change::SameSet => {
                 let records = self.stage.records(self.mode.source.has_pictures());
@@ -135,14 +164,18 @@ impl<'s> Case<'s> {
 
     /// The pipeline of a key; there is one for all, or one for each.
     fn pipeline(&self, key: u32) -> &Pipeline {
-        let place = (key as usize).min(self.pipelines.len() - 1);
-        &self.pipelines[place]
+        let pipelines = &self.equipment.pipelines.pipelines;
+        &pipelines[(key as usize).min(pipelines.len() - 1)]
     }
 }
 
 impl Drawing for Case<'_> {
     fn made(&self) -> Made {
-        self.made
+        let made = self.equipment.made;
+        Made {
+            memory_bytes: made.memory_bytes + self.memory_bytes,
+            ..made
+        }
     }
 
     fn expected(&self) -> PassCounts {
@@ -154,7 +187,11 @@ impl Drawing for Case<'_> {
         let [pipelines, sets, pushes] = self.mode.change.binds().map(|binds| binds * changes);
         let draws = self.keys.len();
         let first = |there: bool| u64::from(there && draws > 0);
-        let own = self.own.first_binds().map(|binds| binds * first(true));
+        let own = self
+            .equipment
+            .own
+            .first_binds()
+            .map(|binds| binds * first(true));
         let nothing = PassCounts {
             name: canvas::NAME.to_owned(),
             draws: 0,
@@ -175,7 +212,7 @@ impl Drawing for Case<'_> {
                 pipeline_binds: first(true) + pipelines,
                 descriptor_set_binds: first(true) + own[0] + sets,
                 push_constants: own[1] + pushes,
-                cull_changes: first(!self.two_sided),
+                cull_changes: first(!self.equipment.pipelines.two_sided),
                 ..nothing
             },
         }
@@ -189,13 +226,18 @@ impl Drawing for Case<'_> {
             return;
         }
         let geometry = &self.stage.uploaded.geometry;
+        let ModePipelines {
+            attributes,
+            two_sided,
+            ..
+        } = self.equipment.pipelines;
         pass.bind_pipeline(self.pipeline(*key));
         let records = self.stage.records(self.mode.source.has_pictures());
         pass.bind_set(0, &records.set);
-        self.own.bind(pass, *key);
-        pass.bind_geometry(&geometry.vertices(self.attributes), &geometry.indices);
+        self.equipment.own.bind(pass, *key);
+        pass.bind_geometry(&geometry.vertices(attributes), &geometry.indices);
         // One mesh, not mirrored and of materials with two sides: all draws agree.
-        pass.set_cull(draw.faces.cull(self.two_sided));
+        pass.set_cull(draw.faces.cull(two_sided));
         match (self.mode.call, &self.indirect) {
             (_, Some(draws)) => pass.draw_indirect(draws),
             (Call::Instanced, _) => self.draw_runs(pass),

@@ -5,6 +5,7 @@
 //!
 //! ```text
 //! scene::Wall -> Stage, BareStage (one a scene) -> Case, BareCase (one a mode) -> Canvas: Sample, Picture
+//!                                                  Equipment (what cases of one mode share)
 //! ```
 
 mod bare;
@@ -17,7 +18,7 @@ mod stage;
 
 pub use bare::{BareCase, BareStage};
 pub use canvas::{Canvas, Drawing, Sample};
-pub use case::{Case, Made};
+pub use case::{Case, Equipment, Made};
 pub use mode::{
     Call, Change, DYNAMIC, MODES, Mode, ONE_PIPELINE, PIPELINE_PER_MATERIAL, Source, TEXTURE_ARRAY,
 };

@@ -138,7 +138,7 @@ impl Group {
         }
     }
 
-    /// The same cells in groups whose pipelines a driver can keep: those of a pipeline for each material by themselves.
+    /// The same cells in groups whose pipelines a driver can keep: each mode of a pipeline for each material by itself.
     /// Mesa's lavapipe keeps some hundred shaders of this size (2^21 instructions in all), and compiles anew what it dropped.
     pub fn split(self) -> Vec<Self> {
         if self.materials <= MOST_TOGETHER {
@@ -146,7 +146,8 @@ impl Group {
         }
         let (baked, few): (Vec<_>, Vec<_>) =
             (self.cells.iter().copied()).partition(|cell| cell.mode.source.is_baked());
-        let baked = baked.into_iter().map(|cell| vec![cell]);
+        let same = |a: &Cell, b: &Cell| a.mode.name == b.mode.name;
+        let baked = baked.chunk_by(same).map(<[Cell]>::to_vec);
         let groups = [few]
             .into_iter()
             .chain(baked)

@@ -1,10 +1,13 @@
 //! Where does a group's every cell draw, and with which of its materials?
 
+use std::cell::RefCell;
+use std::sync::Arc;
+
 use super::plan::{Cell, Group, SceneKind, most_pipelines};
 use super::{BenchError, Options};
 use crate::gpu::{self, DeviceKind, PipelineCache};
 use crate::render::Renderer;
-use crate::render::state_changes::{BareCase, BareStage, Case, Drawing, Mode, Stage};
+use crate::render::state_changes::{BareCase, BareStage, Case, Drawing, Equipment, Mode, Stage};
 use crate::scene::{Order, Scene};
 
 /// Distinct pictures that are made; further materials share them in turn. Every device has this many layers.
@@ -75,9 +78,45 @@ impl Scenes {
 /// A group's scenes on the device.
 pub enum Stages<'s> {
     /// Walls, as `Scenes` has them.
-    Walls(&'s Scenes, Vec<Stage<'s>>),
+    Walls(Box<Walls<'s>>),
     /// Bare triangles.
     Bare(Box<BareStage>),
+}
+
+/// A group's walls on the device.
+pub struct Walls<'s> {
+    scenes: &'s Scenes,
+    /// Scene by scene.
+    stages: Vec<Stage<'s>>,
+    /// By mode, and whether the scene is folded: both orders have the same materials, and a pipeline takes a CPU driver a tenth
+    /// of a second.
+    equipment: RefCell<Vec<(EquipmentKey, Arc<Equipment>)>>,
+}
+
+/// Mode, and whether the scene is folded.
+type EquipmentKey = (&'static str, bool);
+
+impl Walls<'_> {
+    fn folded(&self, cell: &Cell) -> bool {
+        self.scenes.scenes[place(self.scenes, cell)].folded
+    }
+
+    fn equipment(
+        &self,
+        place: usize,
+        mode: &'static Mode,
+        discard: bool,
+        cache: &PipelineCache,
+    ) -> Result<Arc<Equipment>, gpu::Error> {
+        let key = (mode.name, self.scenes.scenes[place].folded);
+        let mut all = self.equipment.borrow_mut();
+        if let Some((_, known)) = all.iter().find(|(known, _)| *known == key) {
+            return Ok(Arc::clone(known));
+        }
+        let new = Arc::new(Equipment::new(&self.stages[place], mode, discard, cache)?);
+        all.push((key, Arc::clone(&new)));
+        Ok(new)
+    }
 }
 
 impl<'s> Stages<'s> {
@@ -97,7 +136,11 @@ impl<'s> Stages<'s> {
         }
         let stages = scenes.scenes.iter();
         let stages = stages.map(|ordered| Stage::new(renderer, &ordered.scene, scenes.size));
-        Ok(Self::Walls(scenes, stages.collect::<Result<_, _>>()?))
+        Ok(Self::Walls(Box::new(Walls {
+            scenes,
+            stages: stages.collect::<Result<_, _>>()?,
+            equipment: RefCell::default(),
+        })))
     }
 
     /// A mode, ready to draw where a cell draws.
@@ -112,9 +155,10 @@ impl<'s> Stages<'s> {
         cache: &PipelineCache,
     ) -> Result<Box<dyn Drawing + 'a>, gpu::Error> {
         Ok(match self {
-            Self::Walls(scenes, stages) => {
-                let stage = &stages[place(scenes, cell)];
-                Box::new(Case::new(stage, mode, discard, cache)?)
+            Self::Walls(walls) => {
+                let place = place(walls.scenes, cell);
+                let equipment = walls.equipment(place, mode, discard, cache)?;
+                Box::new(Case::with(&walls.stages[place], mode, equipment)?)
             }
             Self::Bare(stage) => Box::new(BareCase::new(stage, mode, cell.order, cache)?),
         })
@@ -124,9 +168,9 @@ impl<'s> Stages<'s> {
     pub fn picture(&self, cell: &Cell) -> PictureKey {
         let of = cell.mode.picture_of();
         match self {
-            Self::Walls(scenes, _) => PictureKey {
+            Self::Walls(walls) => PictureKey {
                 of,
-                folded: scenes.scenes[place(scenes, cell)].folded,
+                folded: walls.folded(cell),
                 order: None,
             },
             // Shades follow the number of the draw, not the place.
@@ -141,10 +185,7 @@ impl<'s> Stages<'s> {
     /// How many pipelines there are for materials, where not all have one.
     pub fn cap(&self, cell: &Cell) -> Option<u32> {
         match self {
-            Self::Walls(scenes, _) => {
-                let folded = scenes.scenes[place(scenes, cell)].folded;
-                folded.then_some(scenes.distinct)
-            }
+            Self::Walls(walls) => walls.folded(cell).then_some(walls.scenes.distinct),
             Self::Bare(_) => None,
         }
     }
