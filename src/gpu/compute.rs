@@ -10,7 +10,7 @@ use super::descriptors::DescriptorSet;
 use super::device::Device;
 use super::error::{Error, Named};
 use super::executable_statistics::{self, Statistic};
-use super::pipeline::{Constant, Module, Spirv, specialization, stage_info};
+use super::pipeline::{Constant, Module, Spirv, stage_info};
 use super::pipeline_cache::PipelineCache;
 use super::pipeline_layout::PipelineLayout;
 
@@ -44,18 +44,10 @@ impl ComputePipeline {
             layout.is_of(device) && cache.is_of(device),
             "{name}: device"
         );
-        let module = Module::new(device, shader, name)?;
-        let (entries, values) = specialization(constants);
-        let constants = vk::SpecializationInfo::default()
-            .map_entries(&entries)
-            .data(bytemuck::cast_slice(&values));
+        let module = Module::new(device, shader, constants, name)?;
         let info = vk::ComputePipelineCreateInfo::default()
             .flags(executable_statistics::flags(device))
-            .stage(stage_info(
-                vk::ShaderStageFlags::COMPUTE,
-                &module,
-                &constants,
-            ))
+            .stage(stage_info(vk::ShaderStageFlags::COMPUTE, &module))
             .layout(layout.raw);
         // SAFETY: every pointer lives until the call returns; the driver synchronises the cache.
         let made = unsafe {

@@ -40,6 +40,7 @@ mod sampler;
 #[cfg(test)]
 mod sampling_tests;
 mod selection;
+mod specialize;
 mod spirv;
 mod survey;
 mod texture_array;

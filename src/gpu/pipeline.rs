@@ -9,6 +9,7 @@ use super::error::{Error, Named};
 use super::format::{Samples, TargetFormat, VertexFormat};
 use super::pipeline_cache::PipelineCache;
 use super::pipeline_layout::PipelineLayout;
+use super::specialize::specialized;
 use super::spirv;
 
 /// One vertex attribute, in a buffer of its own.
@@ -128,10 +129,10 @@ impl Pipeline {
             "{}: colour comes from a fragment stage",
             info.name
         );
-        let vertex = Module::new(device, info.vertex, info.name)?;
+        let vertex = Module::new(device, info.vertex, info.constants, info.name)?;
         let fragment = info
             .fragment
-            .map(|fragment| Module::new(device, fragment, info.name))
+            .map(|fragment| Module::new(device, fragment, info.constants, info.name))
             .transpose()?;
         let raw = create(device, layout, cache, info, &vertex, fragment.as_ref())?;
         device.name(raw, info.name);
@@ -178,8 +179,15 @@ pub(super) struct Module<'a> {
 }
 
 impl<'a> Module<'a> {
-    pub(super) fn new(device: &'a Device, Spirv(words): Spirv, name: &str) -> Result<Self, Error> {
-        let words = spirv::module_words(words, device.preserves_nan);
+    /// A module in which `constants` are frozen.
+    pub(super) fn new(
+        device: &'a Device,
+        Spirv(words): Spirv,
+        constants: &[Constant],
+        name: &str,
+    ) -> Result<Self, Error> {
+        let words = specialized(words, constants);
+        let words = spirv::module_words(&words, device.preserves_nan);
         let info = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the words come from the project's own compiler, which validated them.
         let raw = unsafe { device.raw.create_shader_module(&info, None) }
@@ -204,16 +212,12 @@ fn create(
     vertex: &Module,
     fragment: Option<&Module>,
 ) -> Result<vk::Pipeline, Error> {
-    let (entries, values) = specialization(info.constants);
-    let constants = vk::SpecializationInfo::default()
-        .map_entries(&entries)
-        .data(bytemuck::cast_slice(&values));
     let stages: Vec<_> = [
         (vk::ShaderStageFlags::VERTEX, Some(vertex)),
         (vk::ShaderStageFlags::FRAGMENT, fragment),
     ]
     .into_iter()
-    .filter_map(|(stage, module)| Some(stage_info(stage, module?, &constants)))
+    .filter_map(|(stage, module)| Some(stage_info(stage, module?)))
     .collect();
     let (bindings, attributes) = vertex_layout(info.attributes);
     let vertex_input = vk::PipelineVertexInputStateCreateInfo::default()
@@ -264,32 +268,14 @@ fn create(
     }
 }
 
-pub(super) fn stage_info<'a>(
+pub(super) fn stage_info(
     stage: vk::ShaderStageFlags,
     module: &Module,
-    constants: &'a vk::SpecializationInfo,
-) -> vk::PipelineShaderStageCreateInfo<'a> {
+) -> vk::PipelineShaderStageCreateInfo<'static> {
     vk::PipelineShaderStageCreateInfo::default()
         .stage(stage)
         .module(module.raw)
         .name(c"main")
-        .specialization_info(constants)
-}
-
-pub(super) fn specialization(
-    constants: &[Constant],
-) -> (Vec<vk::SpecializationMapEntry>, Vec<i32>) {
-    let entries = (0..)
-        .step_by(size_of::<i32>())
-        .zip(constants)
-        .map(|(offset, constant)| vk::SpecializationMapEntry {
-            constant_id: constant.id,
-            offset,
-            size: size_of::<i32>(),
-        })
-        .collect();
-    let values = constants.iter().map(|constant| constant.value).collect();
-    (entries, values)
 }
 
 fn vertex_layout(
