@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{DeviceArgument, size, software};
 use crate::cli::output::{JsonArgument, Output, print_bytes, progress_bar, talk, write_json};
-use crate::render::{Cache, PictureFormat, Renderer, encode};
+use crate::render::{PictureFormat, Renderer, encode};
 use crate::report::{CostReport, Machine, Program, Sample, cost_page};
 use crate::scene::{self, LoadOptions, Scene};
 use crate::studies::cost::{Found, Options, SightError, made_opaque, steps, study};
-use crate::studies::ladders;
+use crate::studies::{Cache, ladders};
 
 /// Options of `umber cost`.
 #[derive(clap::Args)]

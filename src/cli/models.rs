@@ -2,8 +2,8 @@
 
 use crate::cli::exit::Failure;
 use crate::cli::output::{JsonArgument, print_bytes, progress_bar, talk, write_json};
-use crate::render::Cache;
 use crate::report::{Machine, ModelsReport, Program};
+use crate::studies::Cache;
 use crate::studies::ladders::{self, PATHS, STEPS, TRUTHS};
 
 /// Options of `umber models`.

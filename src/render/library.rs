@@ -535,6 +535,14 @@ impl Function {
         })
     }
 
+    /// An input whose extra numbers are shares of the ranges, with the numbers themselves.
+    pub fn ranged(&self, input: ProbeInput) -> ProbeInput {
+        ProbeInput {
+            extra: self.extra_at(input.extra),
+            ..input
+        }
+    }
+
     /// Whether an input has what it takes beside.
     pub fn takes_extra_of(&self, input: &ProbeInput) -> bool {
         let pairs = self.extra.iter().zip(input.extra);

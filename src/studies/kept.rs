@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::picture_file::OutputFile;
 use crate::math::fnv::fnv1a;
+use crate::render::OutputFile;
 
 /// Changes with what is computed: what another version kept is made anew.
 const VERSION: u32 = 1;

@@ -70,14 +70,6 @@ fn input() -> impl Strategy<Value = ProbeInput> {
     })
 }
 
-/// What a function takes beside, within its range.
-fn ranged(function: &Function, input: &ProbeInput) -> ProbeInput {
-    ProbeInput {
-        extra: function.extra_at(input.extra),
-        ..*input
-    }
-}
-
 /// Those whose f is the same from both sides, and how large the terms are of which it is a difference.
 const RECIPROCAL: [(&str, f64); 10] = [
     ("oren-nayar", 0.0),
@@ -112,7 +104,7 @@ proptest! {
     #[test]
     fn every_truth_is_a_number_and_not_negative(input in input()) {
         for function in FUNCTIONS.iter().filter(|function| !function.is_listing) {
-            let value = Truth::of(function).at(&ranged(function, &input));
+            let value = Truth::of(function).at(&function.ranged(input));
             prop_assert!(value.is_finite() && value >= 0.0, "{}: {value:e}", function.name);
         }
     }
@@ -127,8 +119,8 @@ proptest! {
         for (name, terms) in RECIPROCAL {
             let function = Function::of_name(name).expect("a function");
             let truth = Truth::of(function);
-            let there = truth.at(&ranged(function, &input)) / at.nol;
-            let back = truth.at(&ranged(function, &swapped)) / at.noe;
+            let there = truth.at(&function.ranged(input)) / at.nol;
+            let back = truth.at(&function.ranged(swapped)) / at.noe;
             let apart = (there - back).abs();
             prop_assert!(
                 apart <= GIVEN_SWAPPED * there.max(back).max(terms) + LEAST,

@@ -3,7 +3,7 @@
 use glam::{Quat, Vec3};
 use umber::gpu::Error;
 use umber::interface::ProbeInput;
-use umber::render::library::{FUNCTIONS, Function, Tier};
+use umber::render::library::{FUNCTIONS, Tier};
 use umber::render::probe::Probe;
 use umber::studies::stability::Truth;
 
@@ -169,7 +169,7 @@ fn no_value_steps_between_neighbours() -> Outcome {
                 let probe = Probe::new(&gpu.device, function, *tier)?;
                 let (mut worst, mut judged) = ((0.0_f64, "", 0.0), 0);
                 for (name, path) in PATHS {
-                    let input = |t: f32| ranged(function, path(t));
+                    let input = |t: f32| function.ranged(path(t));
                     for interval in narrowed(&probe, &input)? {
                         let Some(step) = step(&truth, *tier, &interval, &input) else {
                             continue;
@@ -187,14 +187,6 @@ fn no_value_steps_between_neighbours() -> Outcome {
         }
         Ok(())
     })
-}
-
-/// What a function takes beside, within its range.
-fn ranged(function: &Function, input: ProbeInput) -> ProbeInput {
-    ProbeInput {
-        extra: function.extra_at(input.extra),
-        ..input
-    }
 }
 
 /// That the halving itself finds one.

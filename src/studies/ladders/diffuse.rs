@@ -12,8 +12,8 @@ use crate::reference::ladders::Diffuse;
 use crate::reference::truth::v_cavities::{ALBEDOS, truth};
 use crate::reference::truth::{MATTE, Truth};
 use crate::reference::{eon, fujii, full_oren_nayar, lambert, oren_nayar};
-use crate::render::Cache;
 use crate::report::{ModelCase, ModelRow};
+use crate::studies::Cache;
 
 /// Surfaces, sigma in radians: from where the models differ by more than the truth's noise.
 const SIGMAS: [f64; 3] = [0.35, 0.52, 0.8];

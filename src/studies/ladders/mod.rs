@@ -10,8 +10,8 @@ mod specular;
 
 use std::path::Path;
 
-use crate::render::Cache;
 use crate::report::ModelRow;
+use crate::studies::Cache;
 
 /// Truths of the plan, for a bar.
 pub const TRUTHS: u64 = diffuse::TRUTHS + specular::TRUTHS;

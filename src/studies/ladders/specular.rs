@@ -13,8 +13,8 @@ use crate::reference::spectral::METALS;
 use crate::reference::truth::microsurface::{Facets, Microsurface, Slopes, truth};
 use crate::reference::truth::{GLOSSY, Truth};
 use crate::reference::{beckmann_smith, blinn_phong, cook_torrance, ggx, kulla_conty, slides};
-use crate::render::Cache;
 use crate::report::{ModelCase, ModelRow};
+use crate::studies::Cache;
 
 /// Widths of the slopes.
 const ALPHAS: [f64; 3] = [0.25, 0.5, 1.0];
