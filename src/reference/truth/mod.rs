@@ -6,11 +6,9 @@
 pub mod microsurface;
 pub mod v_cavities;
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use fastrand::Rng;
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::math::frame::spherical;
 
@@ -89,36 +87,20 @@ pub fn simulate(
     progress: &(dyn Fn() + Sync),
 ) -> Truth {
     let eyes: Vec<DVec3> = grid.eyes().collect();
-    let jobs = grid.thetas.len() * BATCHES;
-    let next = AtomicUsize::new(0);
-    let done = Mutex::new(vec![Vec::new(); jobs]);
-    let work = || {
-        loop {
-            let job = next.fetch_add(1, Ordering::Relaxed);
-            if job >= jobs {
-                return;
-            }
-            let l = spherical(grid.thetas[job / BATCHES].to_radians(), 0.0);
-            let mut rng = Rng::with_seed(seed.wrapping_add(job as u64).wrapping_mul(SPREAD));
-            let mut seen = vec![[0.0; 3]; eyes.len()];
-            let count = paths / BATCHES;
-            (0..count).for_each(|_| follow(l, &eyes, &mut rng, &mut seen));
-            for (sum, e) in seen.iter_mut().zip(&eyes) {
-                *sum = sum.map(|x| x / (count as f64 * e.z));
-            }
-            if let Ok(mut done) = done.lock() {
-                done[job] = seen;
-            }
-            progress();
+    let batch = |job: usize| {
+        let l = spherical(grid.thetas[job / BATCHES].to_radians(), 0.0);
+        let mut rng = Rng::with_seed(seed.wrapping_add(job as u64).wrapping_mul(SPREAD));
+        let mut seen = vec![[0.0; 3]; eyes.len()];
+        let count = paths / BATCHES;
+        (0..count).for_each(|_| follow(l, &eyes, &mut rng, &mut seen));
+        for (sum, e) in seen.iter_mut().zip(&eyes) {
+            *sum = sum.map(|x| x / (count as f64 * e.z));
         }
+        progress();
+        seen
     };
-    std::thread::scope(|scope| {
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        for _ in 0..threads {
-            scope.spawn(work);
-        }
-    });
-    let done = done.into_inner().unwrap_or_default();
+    let jobs = (0..grid.thetas.len() * BATCHES).into_par_iter();
+    let done: Vec<Vec<Channels>> = jobs.map(batch).collect();
     summed(&done)
 }
 

@@ -3,6 +3,8 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
+use rayon::prelude::*;
+
 use crate::interface::reflected::constants;
 use crate::interface::spirv;
 use crate::render::Variant;
@@ -17,19 +19,8 @@ pub fn instructions(variants: &[Variant]) -> Vec<Option<u64>> {
     let Some(unlit) = variants.first().and_then(|variant| count(variant, false)) else {
         return vec![None; variants.len()];
     };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    let own = variants.len().div_ceil(workers).max(1);
     let net = |variant: &Variant| Some(count(variant, true)?.saturating_sub(unlit));
-    let work = |some: &[Variant]| some.iter().map(net).collect::<Vec<_>>();
-    let work = &work;
-    std::thread::scope(|scope| {
-        let parts = variants
-            .chunks(own)
-            .map(|some| scope.spawn(move || work(some)));
-        let parts: Vec<_> = parts.collect();
-        let done = parts.into_iter().filter_map(|part| part.join().ok());
-        done.flatten().collect()
-    })
+    variants.par_iter().map(net).collect()
 }
 
 /// With the lobes that the terms say, or without any.
