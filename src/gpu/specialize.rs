@@ -10,10 +10,8 @@ mod branches;
 use std::collections::{HashMap, HashSet};
 
 use super::pipeline::Constant;
+use super::spirv::{self, parts};
 use branches::{Function, functions};
-
-const MAGIC: u32 = 0x0723_0203;
-const HEADER_WORDS: usize = 5;
 
 /// Operation codes (3.52).
 mod op {
@@ -50,10 +48,9 @@ const SPEC_ID: u32 = 1;
 /// The module with `constants` in place of its specialization constants, and without what they rule out. One that is
 /// not given keeps its default. Words that are no module come back as they are: the driver will say so.
 pub(super) fn specialized(words: &[u32], constants: &[Constant]) -> Vec<u32> {
-    if words.first() != Some(&MAGIC) || words.len() < HEADER_WORDS {
+    let Some((header, body)) = parts(words) else {
         return words.to_vec();
-    }
-    let (header, body) = words.split_at(HEADER_WORDS);
+    };
     let mut all = instructions(body);
     let first = all.iter().position(|one| one.code() == op::FUNCTION);
     let bodies = all.split_off(first.unwrap_or(all.len()));
@@ -82,12 +79,12 @@ struct Instruction(Vec<u32>);
 
 impl Instruction {
     fn new(code: u32, operands: &[u32]) -> Self {
-        let first = (operands.len() as u32 + 1) << 16 | code;
+        let first = spirv::instruction(code, operands.len() as u32 + 1);
         Self([&[first], operands].concat())
     }
 
     fn code(&self) -> u32 {
-        self.0[0] & 0xffff
+        spirv::code(&self.0)
     }
 
     fn operands(&self) -> &[u32] {
@@ -110,15 +107,9 @@ impl Instruction {
     }
 }
 
-fn instructions(mut words: &[u32]) -> Vec<Instruction> {
-    let mut all = Vec::new();
-    while let Some(&first) = words.first() {
-        let length = ((first >> 16) as usize).clamp(1, words.len());
-        let (one, rest) = words.split_at(length);
-        all.push(Instruction(one.to_vec()));
-        words = rest;
-    }
-    all
+fn instructions(words: &[u32]) -> Vec<Instruction> {
+    let all = spirv::instructions(words);
+    all.map(|one| Instruction(one.to_vec())).collect()
 }
 
 /// Makes constants of specialization constants, and returns the bits of those of 32 bits or fewer, by number.
@@ -237,6 +228,8 @@ fn results(functions: &[Function]) -> HashSet<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interface::reflected::constants;
+    use crate::interface::spirv::SURFACE_FRAG;
 
     /// Numbers of a made module. Types and values stand for themselves: nothing here looks into them.
     const BOOL: u32 = 1;
@@ -247,19 +240,18 @@ mod tests {
     const MAIN: u32 = 10;
     const HELPER: u32 = 20;
 
+    const HEADER: [u32; 5] = [0x0723_0203, 0x0001_0600, 0, 100, 0];
+
     fn one(code: u32, operands: &[u32]) -> Instruction {
         Instruction::new(code, operands)
     }
 
     fn words(all: &[Instruction]) -> Vec<u32> {
         let body = all.iter().flat_map(|one| one.0.iter().copied());
-        [MAGIC, 0x0001_0600, 0, 100, 0]
-            .into_iter()
-            .chain(body)
-            .collect()
+        HEADER.into_iter().chain(body).collect()
     }
 
-    /// Names, decorations, types and constants before a body.
+    /// Names, decorations, types and constants before a body, and the helper behind it.
     fn module(body: &[Instruction]) -> Vec<u32> {
         let globals = [
             one(op::ENTRY_POINT, &[4, MAIN, 0]),
@@ -271,12 +263,18 @@ mod tests {
             one(op::CONSTANT, &[INT, FIVE, 5]),
             one(op::SPEC_CONSTANT_OP, &[BOOL, IS_FIVE, 170, MODE, FIVE]),
         ];
-        words(&[&globals, body].concat())
+        let helper = [
+            one(op::FUNCTION, &[90, HELPER, 0, 91]),
+            one(op::LABEL, &[21]),
+            one(RETURN, &[]),
+            one(op::FUNCTION_END, &[]),
+        ];
+        words(&[&globals, body, &helper].concat())
     }
 
     fn with_mode(module: &[u32], value: i32) -> Vec<Instruction> {
         let constant = Constant { id: 40, value };
-        instructions(&specialized(module, &[constant])[HEADER_WORDS..])
+        instructions(&specialized(module, &[constant])[HEADER.len()..])
     }
 
     fn codes(all: &[Instruction]) -> Vec<u32> {
@@ -286,7 +284,7 @@ mod tests {
     const FUNCTION: [u32; 4] = [90, MAIN, 0, 91];
     const RETURN: u32 = 253;
 
-    /// `if (MODE == 5) helper();`, and the helper.
+    /// `if (MODE == 5) helper();`.
     fn guarded() -> Vec<u32> {
         module(&[
             one(op::FUNCTION, &FUNCTION),
@@ -297,10 +295,6 @@ mod tests {
             one(op::FUNCTION_CALL, &[90, 14, HELPER]),
             one(op::BRANCH, &[13]),
             one(op::LABEL, &[13]),
-            one(RETURN, &[]),
-            one(op::FUNCTION_END, &[]),
-            one(op::FUNCTION, &[90, HELPER, 0, 91]),
-            one(op::LABEL, &[21]),
             one(RETURN, &[]),
             one(op::FUNCTION_END, &[]),
         ])
@@ -338,7 +332,7 @@ mod tests {
         assert_eq!(codes(&all), expected);
         // Without a value of its own a constant keeps its default, and that is not 5 either.
         let default = specialized(&guarded(), &[]);
-        assert_eq!(codes(&instructions(&default[HEADER_WORDS..])), expected);
+        assert_eq!(codes(&instructions(&default[HEADER.len()..])), expected);
         assert!(
             default
                 .windows(4)
@@ -366,10 +360,6 @@ mod tests {
             one(op::FUNCTION_CALL, &[90, 16, HELPER]),
             one(op::BRANCH, &[15]),
             one(op::LABEL, &[15]),
-            one(RETURN, &[]),
-            one(op::FUNCTION_END, &[]),
-            one(op::FUNCTION, &[90, HELPER, 0, 91]),
-            one(op::LABEL, &[21]),
             one(RETURN, &[]),
             one(op::FUNCTION_END, &[]),
         ]);
@@ -445,9 +435,20 @@ mod tests {
     }
 
     #[test]
+    fn an_effect_that_nobody_calls_for_leaves_no_function_in_the_surfaces_shader() {
+        let with_shadow = |value| {
+            let id = constants::EFFECT_SHADOW;
+            let words = specialized(SURFACE_FRAG, &[Constant { id, value }]);
+            let names = words.iter().flat_map(|word| word.to_le_bytes());
+            String::from_utf8_lossy(&names.collect::<Vec<_>>()).contains("lit_share(")
+        };
+        assert_eq!([-1, 0, 1].map(with_shadow), [true, false, true]);
+    }
+
+    #[test]
     fn words_that_are_no_module_stay_as_they_are() {
         assert_eq!(specialized(&[1, 2, 3], &[]), [1, 2, 3]);
-        assert_eq!(specialized(&[MAGIC], &[]), [MAGIC]);
+        assert_eq!(specialized(&HEADER[..1], &[]), HEADER[..1]);
         assert!(specialized(&[], &[]).is_empty());
     }
 }

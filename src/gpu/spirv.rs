@@ -1,6 +1,6 @@
-//! How does a module ask the driver to keep NaN, infinity and signed zero?
+//! How is a module read instruction by instruction, and how does it ask the driver to keep NaN, infinity and signed zero?
 //!
-//! By SignedZeroInfNanPreserve (SPIR-V specification, 3.6 Execution Mode), which is core since
+//! It asks by SignedZeroInfNanPreserve (SPIR-V specification, 3.6 Execution Mode), which is core since
 //! SPIR-V 1.4. naga rejects it in the source, and declaring it where the device does not report it is
 //! a validation error, so it is added to the words here.
 
@@ -27,21 +27,18 @@ pub(super) fn module_words(words: &[u32], preserves_nan: bool) -> Cow<'_, [u32]>
 /// The same module with 32-bit NaN, infinity and signed zero preserved in every entry point.
 /// Words that are not a SPIR-V module come back as they are: the driver will say so.
 fn preserve_nan(words: &[u32]) -> Vec<u32> {
-    if words.first() != Some(&MAGIC) || words.len() < HEADER_WORDS {
+    let Some((header, body)) = parts(words) else {
         return words.to_vec();
-    }
-    let (header, body) = words.split_at(HEADER_WORDS);
+    };
     let mut result = header.to_vec();
     result.extend([instruction(OP_CAPABILITY, 2), CAPABILITY]);
     let mut entry_points = Vec::new();
     let mut added = false;
-    let mut rest = body;
-    while let Some(&first) = rest.first() {
-        let length = ((first >> 16) as usize).clamp(1, rest.len());
-        let opcode = first & 0xffff;
+    for one in instructions(body) {
+        let opcode = code(one);
         // Execution modes stand right after the last entry point.
         if opcode == OP_ENTRY_POINT {
-            entry_points.extend(rest.get(2));
+            entry_points.extend(one.get(2));
         } else if !entry_points.is_empty() && !added {
             for &entry in &entry_points {
                 let op = instruction(OP_EXECUTION_MODE, 4);
@@ -49,13 +46,34 @@ fn preserve_nan(words: &[u32]) -> Vec<u32> {
             }
             added = true;
         }
-        result.extend_from_slice(&rest[..length]);
-        rest = &rest[length..];
+        result.extend_from_slice(one);
     }
     result
 }
 
-fn instruction(opcode: u32, words: u32) -> u32 {
+/// The header of a module and the words of its instructions; nothing where the words are no module.
+pub(super) fn parts(words: &[u32]) -> Option<(&[u32], &[u32])> {
+    let parts = words.split_at_checked(HEADER_WORDS)?;
+    (words[0] == MAGIC).then_some(parts)
+}
+
+/// Each instruction's words, of which the first has its code and their number (2.3).
+pub(super) fn instructions(mut words: &[u32]) -> impl Iterator<Item = &[u32]> {
+    std::iter::from_fn(move || {
+        let length = (*words.first()? >> 16) as usize;
+        let (one, rest) = words.split_at(length.clamp(1, words.len()));
+        words = rest;
+        Some(one)
+    })
+}
+
+/// The operation's code, of an instruction's words.
+pub(super) fn code(one: &[u32]) -> u32 {
+    one[0] & 0xffff
+}
+
+/// The first word of an instruction.
+pub(super) fn instruction(opcode: u32, words: u32) -> u32 {
     words << 16 | opcode
 }
 

@@ -322,6 +322,20 @@ fn a_mode_that_draws_something_else_fails() {
 }
 
 #[test]
+fn both_orders_share_the_pipelines_of_a_mode() -> Outcome {
+    with_gpu(|gpu| -> Outcome {
+        let modes = [&MODES[0], Mode::of_name("pipeline-per-material")?];
+        let group = Group::of_all(SceneKind::Tiny, 3, 24, &modes);
+        assert_eq!(group.cells.len(), 4);
+        let before = gpu.device.pipelines_created();
+        measured(gpu, &group, &OPTIONS)?;
+        // Two visits: the base's one, and one for each material.
+        assert_eq!(gpu.device.pipelines_created() - before, 2 * (1 + 3));
+        Ok(())
+    })
+}
+
+#[test]
 fn more_draws_than_records_fit_are_refused_before_anything_is_made() {
     let outcome = with_gpu(|gpu| {
         let most = gpu.device.max_storage_bytes() / 64;

@@ -148,8 +148,7 @@ impl<'a> Bench<'a> {
     }
 
     fn case(&self, cell: &Cell, mode: &'static Mode) -> Result<Box<dyn Drawing + 'a>, gpu::Error> {
-        let discard = self.group.scene == SceneKind::Null;
-        self.stages.case(cell, mode, discard, &self.cache)
+        self.stages.case(cell, mode, &self.cache)
     }
 
     /// What of a cell is less than its row's numbers say.

@@ -370,6 +370,24 @@ mod tests {
     }
 
     #[test]
+    fn both_orders_of_a_mode_stand_in_one_group() {
+        for group in Plan::full(DeviceKind::Cpu).groups {
+            let orders = |cell: &Cell| cells_of(group.scene, cell.mode).len();
+            for cell in group
+                .cells
+                .iter()
+                .filter(|cell| cell.mode.source.is_baked())
+            {
+                let same = group
+                    .cells
+                    .iter()
+                    .filter(|other| other.mode.name == cell.mode.name);
+                assert_eq!(same.count(), orders(cell), "{cell:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_cpu_is_spared_a_million_state_commands() {
         let modes = |kind| {
             let plan = Plan::full(kind);

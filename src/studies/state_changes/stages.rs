@@ -88,6 +88,8 @@ pub struct Walls<'s> {
     scenes: &'s Scenes,
     /// Scene by scene.
     stages: Vec<Stage<'s>>,
+    /// Whether triangles end before the rasteriser.
+    discard: bool,
     /// By mode, and whether the scene is folded: both orders have the same materials, and a pipeline takes a CPU driver a tenth
     /// of a second.
     equipment: RefCell<Vec<(EquipmentKey, Arc<Equipment>)>>,
@@ -105,7 +107,6 @@ impl Walls<'_> {
         &self,
         place: usize,
         mode: &'static Mode,
-        discard: bool,
         cache: &PipelineCache,
     ) -> Result<Arc<Equipment>, gpu::Error> {
         let key = (mode.name, self.scenes.scenes[place].folded);
@@ -113,7 +114,12 @@ impl Walls<'_> {
         if let Some((_, known)) = all.iter().find(|(known, _)| *known == key) {
             return Ok(Arc::clone(known));
         }
-        let new = Arc::new(Equipment::new(&self.stages[place], mode, discard, cache)?);
+        let new = Arc::new(Equipment::new(
+            &self.stages[place],
+            mode,
+            self.discard,
+            cache,
+        )?);
         all.push((key, Arc::clone(&new)));
         Ok(new)
     }
@@ -139,6 +145,7 @@ impl<'s> Stages<'s> {
         Ok(Self::Walls(Box::new(Walls {
             scenes,
             stages: stages.collect::<Result<_, _>>()?,
+            discard: group.scene == SceneKind::Null,
             equipment: RefCell::default(),
         })))
     }
@@ -151,13 +158,12 @@ impl<'s> Stages<'s> {
         &'a self,
         cell: &Cell,
         mode: &'static Mode,
-        discard: bool,
         cache: &PipelineCache,
     ) -> Result<Box<dyn Drawing + 'a>, gpu::Error> {
         Ok(match self {
             Self::Walls(walls) => {
                 let place = place(walls.scenes, cell);
-                let equipment = walls.equipment(place, mode, discard, cache)?;
+                let equipment = walls.equipment(place, mode, cache)?;
                 Box::new(Case::with(&walls.stages[place], mode, equipment)?)
             }
             Self::Bare(stage) => Box::new(BareCase::new(stage, mode, cell.order, cache)?),
