@@ -412,6 +412,28 @@ mod tests {
     }
 
     #[test]
+    fn a_loop_stays_one_though_its_condition_is_known() {
+        // `while (MODE == 5) {}`
+        let header = one(op::BRANCH_CONDITIONAL, &[IS_FIVE, 13, 14]);
+        let looped = module(&[
+            one(op::FUNCTION, &FUNCTION),
+            one(op::LABEL, &[11]),
+            one(op::BRANCH, &[12]),
+            one(op::LABEL, &[12]),
+            one(op::LOOP_MERGE, &[14, 13, 0]),
+            header.clone(),
+            one(op::LABEL, &[13]),
+            one(op::BRANCH, &[12]),
+            one(op::LABEL, &[14]),
+            one(RETURN, &[]),
+            one(op::FUNCTION_END, &[]),
+        ]);
+        for value in [5, 6] {
+            assert!(with_mode(&looped, value).contains(&header), "{value}");
+        }
+    }
+
+    #[test]
     fn operations_are_those_of_the_specification() {
         let known: HashMap<u32, u32> = [(1, 1), (2, 0), (3, 3), (4, u32::MAX)].into();
         let both = |code| evaluated(code, &[3, 4], &known);
