@@ -57,8 +57,8 @@ float corrected_value(ProbeInput p, int tier) {
     float NoL = dot(p.normal, p.light);
     float NoE = dot(p.normal, p.eye);
     if (tier == TIER_COMPENSATED) {
-        NoL = dot_double(p.normal, p.light).x;
-        NoE = dot_double(p.normal, p.eye).x;
+        NoL = dot_compensated(p.normal, p.light);
+        NoE = dot_compensated(p.normal, p.eye);
     }
     float into = T_Schlick(f0, f90, clamp(NoL, 0.0, 1.0)).x;
     float out_of = T_Schlick(f0, f90, clamp(NoE, 0.0, 1.0)).x;
@@ -70,8 +70,8 @@ float facet_value(ProbeInput p, int tier) {
     float NoL = dot(p.normal, p.light);
     float NoE = dot(p.normal, p.eye);
     if (tier == TIER_COMPENSATED) {
-        NoL = dot_double(p.normal, p.light).x;
-        NoE = dot_double(p.normal, p.eye).x;
+        NoL = dot_compensated(p.normal, p.light);
+        NoE = dot_compensated(p.normal, p.eye);
     }
     if (NoL < COS_MIN || NoE < COS_MIN) {
         return 0.0;

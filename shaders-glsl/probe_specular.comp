@@ -23,8 +23,8 @@ float value_of(ProbeInput p, int tier) {
     float NoL = dot(p.normal, p.light);
     float NoE = dot(p.normal, p.eye);
     if (tier == TIER_COMPENSATED) {
-        NoL = dot_double(p.normal, p.light).x;
-        NoE = dot_double(p.normal, p.eye).x;
+        NoL = dot_compensated(p.normal, p.light);
+        NoE = dot_compensated(p.normal, p.eye);
     }
     if (NoL < COS_MIN || NoE < COS_MIN) {
         return 0.0;

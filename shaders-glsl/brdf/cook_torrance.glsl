@@ -7,21 +7,20 @@
 #include "math/half_vector.glsl"
 
 // f NoL / F = D G / (4 NoE), with D normalised; NoL = N.L and NoE = N.E at least COS_MIN; m2 of beckmann_m2.
-// N.h >= 2^-21 and hh >= 2^-44, so every divisor is at least 2^-64, and the lobe finite. Errs as D_Beckmann does.
+// Finite, as its parts are. Errs as D_Beckmann does.
 float cook_torrance_facets(HalfVector h, float NoL, float NoE, float m2) {
-    float D = D_Beckmann(h.sine2, h.Noh * h.Noh, h.hh, m2);
-    return D * G_hh_VCavity(NoL, NoE, h.hh) / (4.0 * NoE * h.hh);
+    float D_over = D_Beckmann_over_hh(h.sine2, h.Noh * h.Noh, h.hh, m2, NoE);
+    return D_over * G_EoH2_VCavity(NoL, NoE, h.hh);
 }
 
-// f NoL with Schlick's F.
+// f NoL with Schlick's F; 0 for a light or an eye at or below the surface.
 vec3 cook_torrance_lobe(HalfVector h, float NoL, float NoE, float m2, vec3 f0, float f90) {
-    return F_Schlick(f0, f90, half_rest(h)) * cook_torrance_facets(h, NoL, NoE, m2);
+    bool lit = NoL >= COS_MIN && NoE >= COS_MIN;
+    float facets = lit ? cook_torrance_facets(h, NoL, NoE, m2) : 0.0;
+    return F_Schlick(f0, f90, half_rest(h)) * facets;
 }
 
-// The same for unit vectors N, L, E; 0 for a light or an eye at or below the surface.
+// The same for unit vectors N, L, E.
 vec3 cook_torrance(vec3 N, vec3 L, vec3 E, float NoL, float NoE, float m2, vec3 f0, float f90) {
-    if (NoL < COS_MIN || NoE < COS_MIN) {
-        return vec3(0.0);
-    }
     return cook_torrance_lobe(half_vector(N, L, E, NoL, NoE), NoL, NoE, m2, f0, f90);
 }

@@ -46,16 +46,31 @@ vec2 multiply_double(vec2 a, vec2 b) {
     return two_sum(high.x, low);
 }
 
-// a.b, to 2^-45 of the sum of the |a_i b_i|, and then to half a unit in its last place: Ogita, Rump and Oishi 2005,
-// "Accurate sum and dot product", algorithm 5.3.
-vec2 dot_double(vec3 a, vec3 b) {
+// a.b as three parts, to 2^-45 of the sum of the |a_i b_i|: two floats, and what was lost on the way to them. Ogita, Rump and Oishi 2005,
+// "Accurate sum and dot product", algorithm 5.3, but for its last sum.
+vec3 dot_parts(vec3 a, vec3 b) {
     vec2 x = two_product(a.x, b.x);
     vec2 y = two_product(a.y, b.y);
     vec2 z = two_product(a.z, b.z);
     vec2 xy = two_sum(x.x, y.x);
-    vec2 xyz = two_sum(xy.x, z.x);
-    PRECISE float low = ((x.y + y.y) + z.y) + (xy.y + xyz.y);
-    return two_sum(xyz.x, low);
+    PRECISE float lost = ((x.y + y.y) + z.y) + xy.y;
+    return vec3(xy.x, z.x, lost);
+}
+
+// a.b, to as much, and then to half a unit in its last place.
+vec2 dot_double(vec3 a, vec3 b) {
+    vec3 parts = dot_parts(a, b);
+    vec2 sum = two_sum(parts.x, parts.y);
+    PRECISE float low = parts.z + sum.y;
+    return two_sum(sum.x, low);
+}
+
+// a.b, to as much and to 2^-23 of itself, for those who need one float. What the first sum loses is 2^-25 of it and is not made up for:
+// where what was lost before is comparable with that sum, it is below 2^-22, and its own loss 2^-47.
+float dot_compensated(vec3 a, vec3 b) {
+    vec3 parts = dot_parts(a, b);
+    PRECISE float sum = (parts.x + parts.y) + parts.z;
+    return sum;
 }
 
 // a x b as it stands.

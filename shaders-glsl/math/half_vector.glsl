@@ -24,5 +24,5 @@ float half_cosine(HalfVector h) {
 
 // 1 less it: |L-E|^2 / (4 (1 + E.H)) because |L+E|^2 + |L-E|^2 = 4. No cancellation, never negative.
 float half_rest(HalfVector h) {
-    return 0.25 * h.difference2 / (1.0 + half_cosine(h));
+    return h.difference2 / (4.0 + 2.0 * sqrt(h.hh));
 }

@@ -85,8 +85,8 @@ bool promised(ProbeInput p) {
     if (PROBE_SHAPE == SHAPE_FLAT) {
         return true;
     }
-    float NoL = dot_double(p.normal, p.light).x;
-    float NoE = dot_double(p.normal, p.eye).x;
+    float NoL = dot_compensated(p.normal, p.light);
+    float NoE = dot_compensated(p.normal, p.eye);
     if (min(NoL, NoE) < (PROBE_TIER == TIER_HALF ? 1.0e-2 : 1.0e-6)) {
         return false;
     }
