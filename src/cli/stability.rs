@@ -138,7 +138,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let device = arguments.device.open()?;
     let bar = progress_bar(arguments.quiet, values(arguments), BAR);
     let mut report = StabilityReport {
-        schema: StabilityReport::SCHEMA,
+        schema: StabilityReport::SCHEMA.to_owned(),
         device: device.info().into(),
         machine: Machine::this(),
         plan: arguments.plan().to_owned(),

@@ -6,10 +6,10 @@ use super::provenance::{Device, Machine, Program};
 use super::table::{Align, write_table};
 
 /// `umber.stability/1`.
-#[derive(Clone, PartialEq, Debug, serde::Serialize)]
+#[derive(Clone, PartialEq, Debug, serde::Serialize, serde::Deserialize)]
 pub struct StabilityReport {
     /// Names this layout.
-    pub schema: &'static str,
+    pub schema: String,
     /// What evaluated.
     pub device: Device,
     /// What it stands in.
@@ -31,7 +31,7 @@ pub struct StabilityReport {
 }
 
 /// A function in a tier and a case. Errors are null where nothing is promised at any of the inputs.
-#[derive(Clone, PartialEq, Debug, serde::Serialize)]
+#[derive(Clone, PartialEq, Debug, serde::Serialize, serde::Deserialize)]
 pub struct StabilityRow {
     /// The function; the slides' listings are named `slides-*`.
     pub function: String,
@@ -69,7 +69,7 @@ pub struct StabilityRow {
 }
 
 /// What a function in a tier costs, net of reading inputs and writing results.
-#[derive(Clone, PartialEq, Debug, serde::Serialize)]
+#[derive(Clone, PartialEq, Debug, serde::Serialize, serde::Deserialize)]
 pub struct CostRow {
     /// The function.
     pub function: String,
@@ -88,7 +88,7 @@ pub struct CostRow {
 }
 
 /// How many bits a function in a tier loses, over roughness and the angle of the light.
-#[derive(Clone, PartialEq, Debug, serde::Serialize)]
+#[derive(Clone, PartialEq, Debug, serde::Serialize, serde::Deserialize)]
 pub struct BitsMap {
     /// The function.
     pub function: String,

@@ -22,7 +22,10 @@ fn records() -> Result<Vec<(String, BenchReport)>, Box<dyn std::error::Error>> {
     for entry in std::fs::read_dir(folder())? {
         let name = entry?.file_name().to_string_lossy().into_owned();
         // Other studies' have their own tests.
-        if !name.starts_with("cost-") {
+        if !["cost-", "stability-"]
+            .iter()
+            .any(|study| name.starts_with(study))
+        {
             records.push((name.clone(), record(&name)?));
         }
     }

@@ -333,3 +333,26 @@ fn exported_functions_compute_what_the_library_promises() {
     }
     assert!(judged > 1000, "{judged}");
 }
+
+/// Where the exponential is below the least normal number, what Vulkan allows it to be off by is multiplied by up to 2^132.
+#[test]
+fn far_from_its_peak_a_lobe_is_0_on_whatever_device() {
+    let module = naga::front::wgsl::parse_str(&whole(Language::Wgsl)).expect("WGSL");
+    let d = |sine2: f32, noh2: f32, hh: f32, m: f32| {
+        let arguments = [sine2, noh2, hh, m * m].map(|x| Value::Numbers(vec![x]));
+        call(&module, "D_Beckmann", &arguments).first()
+    };
+    // Light and eye opposite and next to the surface, smooth and less so; ten roughnesses from the normal.
+    let small = 2.0_f32.powi(-20);
+    let far = [
+        [1.0, small * small / 4.0, 1.0, 1e-4],
+        [small, small * small / 4.0, small, 1e-3],
+        [2.0, 2.0, 4.0, 0.1],
+    ];
+    for [sine2, noh2, hh, m] in far {
+        assert_eq!(d(sine2, noh2, hh, m), 0.0);
+    }
+    // Just within reach it is more than that, and finite.
+    let near = d(0.86, 1.0, 1.86, 0.1);
+    assert!(near > 0.0 && near < 1e-30, "{near}");
+}

@@ -51,6 +51,7 @@ mod shader_build;
 mod shader_builder;
 mod shapes;
 mod spectral;
+mod stability_record;
 mod stability_report;
 mod statistics;
 mod textures;

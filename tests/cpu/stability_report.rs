@@ -27,7 +27,7 @@ fn row(function: &str, case: &str, nan: u64, of_bound: f64) -> StabilityRow {
 
 fn report() -> StabilityReport {
     StabilityReport {
-        schema: StabilityReport::SCHEMA,
+        schema: StabilityReport::SCHEMA.to_owned(),
         device: Device {
             name: "<script>&\"llvm'pipe".to_owned(),
             kind: "cpu".to_owned(),
