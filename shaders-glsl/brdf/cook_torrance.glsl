@@ -6,8 +6,8 @@
 #include "math/constants.glsl"
 #include "math/half_vector.glsl"
 
-// f NoL / F = D G / (4 NoE), with D normalised; NoL = N.L and NoE = N.E at least COS_MIN; m2 of beckmann_m2.
-// Finite, as its parts are. Errs as D_Beckmann does.
+// f NoL / F = D G / (4 NoE), with D normalised; NoL = N.L and NoE = N.E at least COS_MIN; m2 of beckmann_m2. As D / (hh NoE) times
+// G hh / 4: finite, as both are. Errs as D_Beckmann does.
 float cook_torrance_facets(HalfVector h, float NoL, float NoE, float m2) {
     float D_over = D_Beckmann_over_hh(h.sine2, h.Noh * h.Noh, h.hh, m2, NoE);
     return D_over * G_EoH2_VCavity(NoL, NoE, h.hh);

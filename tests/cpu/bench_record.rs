@@ -22,10 +22,8 @@ fn records() -> Result<Vec<(String, BenchReport)>, Box<dyn std::error::Error>> {
     for entry in std::fs::read_dir(folder())? {
         let name = entry?.file_name().to_string_lossy().into_owned();
         // Other studies' have their own tests.
-        if !["cost-", "stability-"]
-            .iter()
-            .any(|study| name.starts_with(study))
-        {
+        let others = ["cost-", "stability-"];
+        if !others.iter().any(|other| name.starts_with(other)) {
             records.push((name.clone(), record(&name)?));
         }
     }

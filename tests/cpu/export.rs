@@ -334,7 +334,7 @@ fn exported_functions_compute_what_the_library_promises() {
     assert!(judged > 1000, "{judged}");
 }
 
-/// Where the exponential is below the least normal number, what Vulkan allows it to be off by is multiplied by up to 2^132.
+/// Where the exponential is below the least normal number, what Vulkan allows it to be off by is multiplied by up to 2^134.
 #[test]
 fn far_from_its_peak_a_lobe_is_0_on_whatever_device() {
     let module = naga::front::wgsl::parse_str(&whole(Language::Wgsl)).expect("WGSL");

@@ -7,7 +7,7 @@ use umber::report::{CostRow, Interval95, StabilityReport, Summary};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-const DRIVERS: [&str; 1] = ["lavapipe"];
+const DRIVERS: [&str; 2] = ["lavapipe", "swiftshader"];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/record")
