@@ -16,15 +16,15 @@ const int FUNCTION_FULL_OREN_NAYAR = 3;
 
 // N.L, N.E and s = L.E - (N.L)(N.E).
 vec3 cosines(ProbeInput p, int tier) {
-    if (tier == TIER_COMPENSATED) {
-        vec2 NoL = dot_double(p.normal, p.light);
-        vec2 NoE = dot_double(p.normal, p.eye);
-        vec2 s = subtract_double(dot_double(p.light, p.eye), multiply_double(NoL, NoE));
-        return vec3(NoL.x, NoE.x, s.x);
-    }
     float NoL = dot(p.normal, p.light);
     float NoE = dot(p.normal, p.eye);
-    return vec3(NoL, NoE, dot(p.light, p.eye) - NoL * NoE);
+    float LoE = dot(p.light, p.eye);
+    if (tier == TIER_COMPENSATED) {
+        NoL = dot_compensated(p.normal, p.light);
+        NoE = dot_compensated(p.normal, p.eye);
+        LoE = dot_compensated(p.light, p.eye);
+    }
+    return vec3(NoL, NoE, LoE - NoL * NoE);
 }
 
 // pi f NoL, the albedo included where it does more than scale: extra.x.

@@ -3,11 +3,9 @@
 #include "brdf/oren_nayar.glsl"
 #include "math/double_float.glsl"
 
-// `oren_nayar` with s = L.E - (N.L)(N.E) to 2^-44: near the surface s and N.L are small beside the products that
-// they are made of, and in 32 bits those leave an error of 2e-7 / N.L.
+// `oren_nayar` with cosines to 2^-23 of themselves. Near the surface they are small beside the products that they are made of, and
+// 32 bits leave an error of 2e-7 / N.L. s needs no more than three such cosines: it is wrong by at most 6e-7 (ten halves of a unit in
+// the last place) of itself where L.E is more than twice the product, and of (N.L)(N.E) elsewhere, beside N.L in the sum.
 float oren_nayar_compensated(OrenNayarWeights weights, vec3 N, vec3 L, vec3 E) {
-    vec2 NoL = dot_double(N, L);
-    vec2 NoE = dot_double(N, E);
-    vec2 s = subtract_double(dot_double(L, E), multiply_double(NoL, NoE));
-    return oren_nayar_lobe(weights, NoL.x, NoE.x, s.x);
+    return oren_nayar(weights, dot_compensated(N, L), dot_compensated(N, E), dot_compensated(L, E));
 }

@@ -1,8 +1,7 @@
 // How do sums and products keep the digits that 32 bits round away?
 //
-// A double-float x is the sum x.x + x.y of two floats, of which the second is at most half a unit in the last place of
-// the first: 48 bits. Every step is PRECISE: reassociated or contracted, it would keep nothing. Rounding to nearest is
-// taken for granted; Vulkan leaves the mode open, and every known device has this one.
+// As a second float beside the rounded one: what the rounding lost, exactly. Every step is PRECISE: reassociated or contracted, it would
+// keep nothing. Rounding to nearest is taken for granted; Vulkan leaves the mode open, and every known device has this one.
 
 // a + b, exactly. Knuth, The Art of Computer Programming 2, section 4.2.2, theorem B.
 vec2 two_sum(float a, float b) {
@@ -32,44 +31,16 @@ vec2 two_product(float a, float b) {
     return vec2(product, lost);
 }
 
-// a - b, to 2^-46 of |a| + |b|.
-vec2 subtract_double(vec2 a, vec2 b) {
-    vec2 high = two_sum(a.x, -b.x);
-    PRECISE float low = high.y + (a.y - b.y);
-    return two_sum(high.x, low);
-}
-
-// a b, to 2^-46 of itself.
-vec2 multiply_double(vec2 a, vec2 b) {
-    vec2 high = two_product(a.x, b.x);
-    PRECISE float low = high.y + (a.x * b.y + a.y * b.x);
-    return two_sum(high.x, low);
-}
-
-// a.b as three parts, to 2^-45 of the sum of the |a_i b_i|: two floats, and what was lost on the way to them. Ogita, Rump and Oishi 2005,
-// "Accurate sum and dot product", algorithm 5.3, but for its last sum.
-vec3 dot_parts(vec3 a, vec3 b) {
+// a.b to 2^-23 of itself and 2^-45 of the sum of the |a_i b_i|: Ogita, Rump and Oishi 2005, "Accurate sum and dot product",
+// algorithm 5.3, but for what its last sum loses: that is 2^-25 of the sum, and where the rest is comparable with the sum, it is below
+// 2^-22, and its loss 2^-47.
+float dot_compensated(vec3 a, vec3 b) {
     vec2 x = two_product(a.x, b.x);
     vec2 y = two_product(a.y, b.y);
     vec2 z = two_product(a.z, b.z);
     vec2 xy = two_sum(x.x, y.x);
     PRECISE float lost = ((x.y + y.y) + z.y) + xy.y;
-    return vec3(xy.x, z.x, lost);
-}
-
-// a.b, to as much, and then to half a unit in its last place.
-vec2 dot_double(vec3 a, vec3 b) {
-    vec3 parts = dot_parts(a, b);
-    vec2 sum = two_sum(parts.x, parts.y);
-    PRECISE float low = parts.z + sum.y;
-    return two_sum(sum.x, low);
-}
-
-// a.b, to as much and to 2^-23 of itself, for those who need one float. What the first sum loses is 2^-25 of it and is not made up for:
-// where what was lost before is comparable with that sum, it is below 2^-22, and its own loss 2^-47.
-float dot_compensated(vec3 a, vec3 b) {
-    vec3 parts = dot_parts(a, b);
-    PRECISE float sum = (parts.x + parts.y) + parts.z;
+    PRECISE float sum = (xy.x + z.x) + lost;
     return sum;
 }
 

@@ -38,7 +38,7 @@ fn what_makes_no_sense_is_refused() -> Tested {
     export(&[])?.ends(2, &["--language"]);
     export(&["--language", "spirv"])?.ends(2, &["wgsl"]);
     export(&["--language", "wgsl", "F_Shlick"])?.ends(2, &["'F_Schlick'"]);
-    export(&["--language", "msl", "dot_double"])?.ends(2, &["dot_double", "only glsl"]);
+    export(&["--language", "msl", "dot_compensated"])?.ends(2, &["dot_compensated", "only glsl"]);
     export(&["--list", "--language", "wgsl"])?.ends(2, &["--list"]);
     export(&["--language", "wgsl", "-o", "none/a.wgsl"])?.ends(6, &["none/a.wgsl"]);
     assert!(place.names()?.is_empty());
