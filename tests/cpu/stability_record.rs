@@ -98,6 +98,8 @@ fn no_form_costs_more_than_it_may() -> Tested {
 fn the_readme_quotes_the_record() -> Tested {
     let readme = readme()?;
     let report = record("lavapipe")?;
+    let values = format!("(lavapipe {} values", report.evaluations);
+    assert!(readme.contains(&values), "{values}");
     for line in report.summaries().iter().map(line_of) {
         assert!(readme.lines().any(|other| other == line), "{line}");
     }
