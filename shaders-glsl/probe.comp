@@ -11,7 +11,7 @@
 #include "half/oren_nayar.glsl"
 #include "half/schlick.glsl"
 #include "interface/probe.glsl"
-#include "probe/constants.glsl"
+#include "probe/tiers.glsl"
 #include "slides/cook_torrance.glsl"
 #include "slides/oren_nayar.glsl"
 
@@ -54,12 +54,8 @@ float cook_torrance_value(ProbeInput p, int tier, float m2) {
 float corrected_value(ProbeInput p, int tier) {
     vec3 f0 = vec3(p.f0);
     float f90 = f90_of(f0);
-    float NoL = dot(p.normal, p.light);
-    float NoE = dot(p.normal, p.eye);
-    if (tier == TIER_COMPENSATED) {
-        NoL = dot_compensated(p.normal, p.light);
-        NoE = dot_compensated(p.normal, p.eye);
-    }
+    float NoL = cosine_in(tier, p.normal, p.light);
+    float NoE = cosine_in(tier, p.normal, p.eye);
     float into = T_Schlick(f0, f90, clamp(NoL, 0.0, 1.0)).x;
     float out_of = T_Schlick(f0, f90, clamp(NoE, 0.0, 1.0)).x;
     float base = into * out_of * (oren_nayar_value(p, tier) * INV_PI);
@@ -67,19 +63,12 @@ float corrected_value(ProbeInput p, int tier) {
 }
 
 float facet_value(ProbeInput p, int tier) {
-    float NoL = dot(p.normal, p.light);
-    float NoE = dot(p.normal, p.eye);
-    if (tier == TIER_COMPENSATED) {
-        NoL = dot_compensated(p.normal, p.light);
-        NoE = dot_compensated(p.normal, p.eye);
-    }
+    float NoL = cosine_in(tier, p.normal, p.light);
+    float NoE = cosine_in(tier, p.normal, p.eye);
     if (NoL < COS_MIN || NoE < COS_MIN) {
         return 0.0;
     }
-    HalfVector h = half_vector(p.normal, p.light, p.eye, NoL, NoE);
-    if (tier == TIER_COMPENSATED) {
-        h = half_vector_compensated(p.normal, p.light, p.eye, NoL, NoE);
-    }
+    HalfVector h = half_vector_in(tier, p.normal, p.light, p.eye, NoL, NoE);
     if (PROBE_FUNCTION == FUNCTION_V_CAVITY_G) {
         return G_VCavity(NoL, NoE, h.hh);
     }
@@ -88,9 +77,7 @@ float facet_value(ProbeInput p, int tier) {
 }
 
 float schlick_value(ProbeInput p, int tier) {
-    vec3 difference = p.light - p.eye;
-    vec3 h = p.light + p.eye;
-    float one_minus_cos = half_rest(HalfVector(0.0, 0.0, dot(h, h), dot(difference, difference)));
+    float one_minus_cos = half_rest(half_vector(p.normal, p.light, p.eye, 0.0, 0.0));
     if (tier == TIER_HALF) {
         return F_Schlick_half(p.f0, one_minus_cos);
     }

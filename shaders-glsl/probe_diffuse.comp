@@ -6,8 +6,7 @@
 #include "brdf/full_oren_nayar.glsl"
 #include "brdf/lambert.glsl"
 #include "interface/probe.glsl"
-#include "math/double_float.glsl"
-#include "probe/constants.glsl"
+#include "probe/tiers.glsl"
 
 const int FUNCTION_LAMBERT = 0;
 const int FUNCTION_FON = 1;
@@ -16,14 +15,9 @@ const int FUNCTION_FULL_OREN_NAYAR = 3;
 
 // N.L, N.E and s = L.E - (N.L)(N.E).
 vec3 cosines(ProbeInput p, int tier) {
-    float NoL = dot(p.normal, p.light);
-    float NoE = dot(p.normal, p.eye);
-    float LoE = dot(p.light, p.eye);
-    if (tier == TIER_COMPENSATED) {
-        NoL = dot_compensated(p.normal, p.light);
-        NoE = dot_compensated(p.normal, p.eye);
-        LoE = dot_compensated(p.light, p.eye);
-    }
+    float NoL = cosine_in(tier, p.normal, p.light);
+    float NoE = cosine_in(tier, p.normal, p.eye);
+    float LoE = cosine_in(tier, p.light, p.eye);
     return vec3(NoL, NoE, LoE - NoL * NoE);
 }
 

@@ -8,6 +8,7 @@
 #include "brdf/spectral.glsl"
 #include "interface/probe.glsl"
 #include "math/constants.glsl"
+#include "math/half_vector.glsl"
 #include "probe/constants.glsl"
 
 const int FUNCTION_F82 = 0;
@@ -16,10 +17,9 @@ const int FUNCTION_CONDUCTOR = 2;
 const int FUNCTION_SPECTRAL = 3;
 
 float value_of(ProbeInput p, int tier) {
-    vec3 h = p.light + p.eye;
-    vec3 difference = p.light - p.eye;
-    float mu = 0.5 * sqrt(dot(h, h));
-    float one_minus_mu = 0.25 * dot(difference, difference) / (1.0 + mu);
+    HalfVector h = half_vector(p.normal, p.light, p.eye, 0.0, 0.0);
+    float mu = half_cosine(h);
+    float one_minus_mu = half_rest(h);
     vec3 f0 = vec3(p.f0);
     float f90 = f90_of(f0);
     if (PROBE_FUNCTION == FUNCTION_F82) {

@@ -7,10 +7,8 @@
 #include "brdf/ggx_missing.glsl"
 #include "brdf/kulla_conty.glsl"
 #include "brdf/schlick.glsl"
-#include "compensated/half_vector.glsl"
 #include "interface/probe.glsl"
-#include "math/double_float.glsl"
-#include "probe/constants.glsl"
+#include "probe/tiers.glsl"
 
 const int FUNCTION_BLINN_PHONG = 0;
 const int FUNCTION_BECKMANN_SMITH = 1;
@@ -20,19 +18,12 @@ const int FUNCTION_GGX_MULTI = 4;
 
 // f NoL.
 float value_of(ProbeInput p, int tier) {
-    float NoL = dot(p.normal, p.light);
-    float NoE = dot(p.normal, p.eye);
-    if (tier == TIER_COMPENSATED) {
-        NoL = dot_compensated(p.normal, p.light);
-        NoE = dot_compensated(p.normal, p.eye);
-    }
+    float NoL = cosine_in(tier, p.normal, p.light);
+    float NoE = cosine_in(tier, p.normal, p.eye);
     if (NoL < COS_MIN || NoE < COS_MIN) {
         return 0.0;
     }
-    HalfVector h = half_vector(p.normal, p.light, p.eye, NoL, NoE);
-    if (tier == TIER_COMPENSATED) {
-        h = half_vector_compensated(p.normal, p.light, p.eye, NoL, NoE);
-    }
+    HalfVector h = half_vector_in(tier, p.normal, p.light, p.eye, NoL, NoE);
     float m = max(p.roughness, PROBED_M_MIN);
     vec3 f0 = vec3(p.f0);
     float f90 = f90_of(f0);
