@@ -13,26 +13,15 @@ use super::plot::{escape, put};
 /// The page.
 pub fn page(report: &BenchReport) -> String {
     let mut page = page::begin("What one pipeline saves", "umber bench", &report.device);
-    write_headlines(&mut page, report);
+    let said = headlines(report).into_iter();
+    let said = said.map(|headline| (anchor(headline.row), headline.text));
+    page::write_headlines(&mut page, said, page::UNDER_HEADLINES);
     page::write_figures(&mut page, "Charts", &figures(report));
     write_method(&mut page, report);
     page::write_machine(&mut page, &report.device, &report.machine, &report.program);
     write_rows(&mut page, report);
     page::end(&mut page);
     page
-}
-
-fn write_headlines(page: &mut String, report: &BenchReport) {
-    let headlines = headlines(report);
-    if headlines.is_empty() {
-        return;
-    }
-    page.push_str("<ul class=\"say\">\n");
-    for headline in headlines {
-        let (row, text) = (anchor(headline.row), escape(&headline.text));
-        put!(page, "<li><a href=\"#{row}\">{text}</a></li>\n");
-    }
-    page.push_str("</ul>\n<p class=\"under\">In brackets: intervals with a confidence of 95 %. Each sentence leads to its row.</p>\n");
 }
 
 /// What was timed, what the words mean, what it does not say, and how to do it again.

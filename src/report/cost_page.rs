@@ -29,7 +29,9 @@ pub struct Sample {
 /// The page. Each scene's `samples` follow each other.
 pub fn page(report: &CostReport, samples: &[Sample]) -> String {
     let mut page = page::begin("What accuracy costs", "umber cost", &report.device);
-    write_headlines(&mut page, report);
+    let said = headlines(report).into_iter();
+    let said = said.map(|headline| (headline.row, headline.text));
+    page::write_headlines(&mut page, said, page::UNDER_HEADLINES);
     page::write_figures(&mut page, "Error against time", &figures(report));
     write_sheets(&mut page, samples);
     write_method(&mut page, report);
@@ -37,15 +39,6 @@ pub fn page(report: &CostReport, samples: &[Sample]) -> String {
     write_rows(&mut page, report);
     page::end(&mut page);
     page
-}
-
-fn write_headlines(page: &mut String, report: &CostReport) {
-    page.push_str("<ul class=\"say\">\n");
-    for headline in headlines(report) {
-        let (row, text) = (escape(&headline.row), escape(&headline.text));
-        put!(page, "<li><a href=\"#{row}\">{text}</a></li>\n");
-    }
-    page.push_str("</ul>\n<p class=\"under\">In brackets: intervals with a confidence of 95 %. Each sentence leads to its row.</p>\n");
 }
 
 fn write_sheets(page: &mut String, samples: &[Sample]) {

@@ -24,6 +24,7 @@ mod plot;
 mod provenance;
 mod render;
 mod stability;
+mod stability_headlines;
 mod stability_page;
 mod table;
 

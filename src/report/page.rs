@@ -31,6 +31,28 @@ pub fn end(page: &mut String) {
     page.push_str("</body>\n</html>\n");
 }
 
+/// Sentences, each with the anchor of the row that it stands on, and what is to be known of them all; nothing without one.
+pub fn write_headlines(
+    page: &mut String,
+    headlines: impl IntoIterator<Item = (String, String)>,
+    under: &str,
+) {
+    let mut headlines = headlines.into_iter().peekable();
+    if headlines.peek().is_none() {
+        return;
+    }
+    page.push_str("<ul class=\"say\">\n");
+    for (row, text) in headlines {
+        let (row, text) = (escape(&row), escape(&text));
+        put!(page, "<li><a href=\"#{row}\">{text}</a></li>\n");
+    }
+    put!(page, "</ul>\n<p class=\"under\">{}</p>\n", escape(under));
+}
+
+/// What is to be known of sentences with figures.
+pub const UNDER_HEADLINES: &str =
+    "In brackets: intervals with a confidence of 95 %. Each sentence leads to its row.";
+
 /// Charts under a title; no title without one.
 pub fn write_figures(page: &mut String, title: &str, figures: &[Figure]) {
     if figures.is_empty() {

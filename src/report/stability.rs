@@ -63,9 +63,6 @@ pub struct StabilityRow {
     /// The worst input: N, L, E, roughness, f0 in decimal, and their bits. One whose value is no number or below 0 comes
     /// first.
     pub worst_input: Option<String>,
-    /// Whether anything is promised of the function: of the listings nothing is.
-    #[serde(skip)]
-    pub held: bool,
 }
 
 /// What a function in a tier costs, net of reading inputs and writing results.
@@ -125,8 +122,6 @@ pub struct Summary {
     pub max_of_bound: Option<f64>,
     /// The most bits lost.
     pub max_bits_lost: Option<f64>,
-    /// Whether anything is promised.
-    pub held: bool,
     /// Its worst row: one with a value that is none or below 0, or that of the largest error over its bound.
     pub row: usize,
 }
@@ -170,6 +165,11 @@ impl StabilityReport {
             (title, cells(row))
         });
         write_table(&mut text, HEAD, ALIGN, rows);
+        let summaries = self.summaries();
+        let summaries = summaries
+            .iter()
+            .map(|summary| ("all cases".to_owned(), summary_cells(summary)));
+        write_table(&mut text, SUMMARY_HEAD, SUMMARY_ALIGN, summaries);
         let costs = self.costs.iter().map(|row| {
             let title = "cost, net of reading and writing".to_owned();
             (title, cost_cells(row))
@@ -182,6 +182,16 @@ impl StabilityReport {
 }
 
 impl Summary {
+    /// Values that are NaN, infinite or below 0.
+    pub fn bad(&self) -> u64 {
+        self.nan + self.inf + self.negative
+    }
+
+    /// The largest error over its bound; None for a listing, of which nothing is promised.
+    pub fn of_bound(&self) -> Option<f64> {
+        self.max_of_bound.filter(|_| !is_listing(&self.function))
+    }
+
     fn of(i: usize, row: &StabilityRow) -> Self {
         Self {
             function: row.function.clone(),
@@ -193,7 +203,6 @@ impl Summary {
             max_relative_error: row.max_relative_error,
             max_of_bound: row.max_of_bound,
             max_bits_lost: row.max_bits_lost,
-            held: row.held,
             row: i,
         }
     }
@@ -230,8 +239,13 @@ impl StabilityRow {
     /// Whether a value is none, is below 0, or is further off than promised.
     pub fn is_broken(&self) -> bool {
         let off = self.max_of_bound.is_some_and(|share| share > 1.0);
-        self.held && (self.bad() > 0 || off)
+        !is_listing(&self.function) && (self.bad() > 0 || off)
     }
+}
+
+/// Whether a function is one of the slides' listings, of which nothing is promised.
+pub(super) fn is_listing(function: &str) -> bool {
+    function.starts_with("slides-")
 }
 
 /// The columns.
@@ -262,9 +276,8 @@ pub(super) const ALIGN: [Align; 9] = [
 
 /// A row as a person reads it.
 pub(super) fn cells(row: &StabilityRow) -> [String; 9] {
-    let number = |number: Option<f64>, digits: &dyn Fn(f64) -> String| {
-        number.map_or_else(|| "-".to_owned(), digits)
-    };
+    let promised = row.max_of_bound.filter(|_| !is_listing(&row.function));
+    let [error, of_bound, bits] = errors(row.max_relative_error, promised, row.max_bits_lost);
     [
         row.case.clone(),
         thousands(row.inputs),
@@ -272,12 +285,65 @@ pub(super) fn cells(row: &StabilityRow) -> [String; 9] {
         thousands(row.nan),
         thousands(row.inf),
         thousands(row.negative),
-        number(row.max_relative_error, &|error| format!("{error:.1e}")),
-        match row.held {
-            true => number(row.max_of_bound, &|share| format!("{share:.2}")),
-            false => "-".to_owned(),
-        },
-        number(row.max_bits_lost, &|bits| format!("{bits:.1}")),
+        error,
+        of_bound,
+        bits,
+    ]
+}
+
+/// The error, its share of the bound and the bits lost as a person reads them.
+fn errors(error: Option<f64>, of_bound: Option<f64>, bits: Option<f64>) -> [String; 3] {
+    let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
+    [
+        or_none(error.map(|error| format!("{error:.1e}"))),
+        or_none(of_bound.map(|share| format!("{share:.2}"))),
+        or_none(bits.map(|bits| format!("{bits:.1}"))),
+    ]
+}
+
+/// The columns of all cases together.
+pub(super) const SUMMARY_HEAD: [&str; 9] = [
+    "function",
+    "tier",
+    "values",
+    "NaN",
+    "Inf",
+    "negative",
+    "max error",
+    "of bound",
+    "bits lost",
+];
+
+/// How they stand.
+pub(super) const SUMMARY_ALIGN: [Align; 9] = [
+    Align::Left,
+    Align::Left,
+    Align::Right,
+    Align::Right,
+    Align::Right,
+    Align::Right,
+    Align::Right,
+    Align::Right,
+    Align::Right,
+];
+
+/// All cases of a function in a tier as a person reads them.
+pub(super) fn summary_cells(summary: &Summary) -> [String; 9] {
+    let [error, of_bound, bits] = errors(
+        summary.max_relative_error,
+        summary.of_bound(),
+        summary.max_bits_lost,
+    );
+    [
+        summary.function.clone(),
+        summary.tier.clone(),
+        thousands(summary.inputs),
+        thousands(summary.nan),
+        thousands(summary.inf),
+        thousands(summary.negative),
+        error,
+        of_bound,
+        bits,
     ]
 }
 

@@ -7,8 +7,10 @@ use super::heat_map::{Cell, HeatMap, STEPS};
 use super::page;
 use super::plot::{escape, put};
 use super::stability::{
-    ALIGN, BitsMap, COST_ALIGN, COST_HEAD, HEAD, StabilityReport, Summary, cells, cost_cells,
+    ALIGN, BitsMap, COST_ALIGN, COST_HEAD, HEAD, SUMMARY_ALIGN, SUMMARY_HEAD, StabilityReport,
+    cells, cost_cells, summary_cells,
 };
+use super::stability_headlines::headlines;
 use super::table::Align;
 
 /// Bits of a float.
@@ -18,7 +20,10 @@ const BITS: f64 = 24.0;
 pub fn page(report: &StabilityReport) -> String {
     let title = "Which values can be trusted";
     let mut page = page::begin(title, "umber stability", &report.device);
-    write_headlines(&mut page, report);
+    let said = headlines(report).into_iter();
+    let said = said.map(|headline| (format!("row-{}", headline.row), headline.text));
+    page::write_headlines(&mut page, said, page::UNDER_HEADLINES);
+    write_functions(&mut page, report);
     write_maps(&mut page, report);
     write_costs(&mut page, report);
     write_method(&mut page, report);
@@ -28,49 +33,18 @@ pub fn page(report: &StabilityReport) -> String {
     page
 }
 
-fn write_headlines(page: &mut String, report: &StabilityReport) {
-    page.push_str("<ul class=\"say\">\n");
+/// All cases of each function, and the way to its worst.
+fn write_functions(page: &mut String, report: &StabilityReport) {
+    page.push_str("<h2>Functions</h2>\n<p class=\"under\">All cases together; a line leads to its worst. max error: of the truth. of bound: the largest error over what is allowed there.</p>\n");
+    begin_table(page, &SUMMARY_HEAD, &SUMMARY_ALIGN);
     for summary in report.summaries() {
-        let (row, text) = (summary.row, escape(&sentence(&summary)));
-        put!(page, "<li><a href=\"#row-{row}\">{text}</a></li>\n");
+        let [function, rest @ ..] = summary_cells(&summary);
+        let (row, function) = (summary.row, escape(&function));
+        put!(page, "<tr><td><a href=\"#row-{row}\">{function}</a></td>");
+        write_cells(page, &rest, &SUMMARY_ALIGN[1..]);
+        page.push_str("</tr>\n");
     }
-    page.push_str("</ul>\n<p class=\"under\">Each sentence leads to its worst row.</p>\n");
-}
-
-/// What all rows of a function in a tier say.
-fn sentence(summary: &Summary) -> String {
-    let Summary {
-        function,
-        tier,
-        inputs,
-        nan,
-        inf,
-        negative,
-        ..
-    } = summary;
-    let mut text = format!("{function}, {tier}: ");
-    let inputs = thousands(*inputs);
-    match nan + inf + negative {
-        0 => put!(text, "no NaN, infinity or negative value in {inputs}"),
-        _ => put!(
-            text,
-            "{} NaN, {} infinite and {} negative of {inputs}",
-            thousands(*nan),
-            thousands(*inf),
-            thousands(*negative)
-        ),
-    }
-    match (summary.max_relative_error, summary.max_of_bound) {
-        (Some(error), Some(bound)) if summary.held => put!(
-            text,
-            "; off by {error:.1e} of the truth at most, {:.0} % of what is allowed there",
-            bound * 100.0
-        ),
-        (Some(error), _) => put!(text, "; off by {error:.1e} of the truth at most"),
-        _ => {}
-    }
-    text.push('.');
-    text
+    page.push_str(END_TABLE);
 }
 
 fn write_maps(page: &mut String, report: &StabilityReport) {
@@ -146,19 +120,32 @@ fn write_costs(page: &mut String, report: &StabilityReport) {
     if report.costs.is_empty() {
         return;
     }
-    page.push_str("<h2>Cost</h2>\n<p class=\"under\">An evaluation, net of reading its input and writing its result, beside the slides' listing; medians, intervals of 95 %.</p>\n<div class=\"wide\">\n<table>\n<thead>\n<tr>");
-    for (head, align) in COST_HEAD.into_iter().zip(COST_ALIGN) {
-        put!(page, "<th{}>{}</th>", class(align), escape(head));
-    }
-    page.push_str("</tr>\n</thead>\n<tbody>\n");
+    page.push_str("<h2>Cost</h2>\n<p class=\"under\">An evaluation, net of reading its input and writing its result, beside the slides' listing; medians, intervals of 95 %.</p>\n");
+    begin_table(page, &COST_HEAD, &COST_ALIGN);
     for row in &report.costs {
         page.push_str("<tr>");
-        for (cell, align) in cost_cells(row).iter().zip(COST_ALIGN) {
-            put!(page, "<td{}>{}</td>", class(align), escape(cell));
-        }
+        write_cells(page, &cost_cells(row), &COST_ALIGN);
         page.push_str("</tr>\n");
     }
-    page.push_str("</tbody>\n</table>\n</div>\n");
+    page.push_str(END_TABLE);
+}
+
+/// A table up to its first row.
+fn begin_table(page: &mut String, head: &[&str], align: &[Align]) {
+    page.push_str("<div class=\"wide\">\n<table>\n<thead>\n<tr>");
+    for (head, align) in head.iter().zip(align) {
+        put!(page, "<th{}>{}</th>", class(*align), escape(head));
+    }
+    page.push_str("</tr>\n</thead>\n<tbody>\n");
+}
+
+/// Its end.
+const END_TABLE: &str = "</tbody>\n</table>\n</div>\n";
+
+fn write_cells(page: &mut String, cells: &[String], align: &[Align]) {
+    for (cell, align) in cells.iter().zip(align) {
+        put!(page, "<td{}>{}</td>", class(*align), escape(cell));
+    }
 }
 
 /// A column of numbers stands to the right.
@@ -194,11 +181,11 @@ fn write_method(page: &mut String, report: &StabilityReport) {
 }
 
 fn write_rows(page: &mut String, report: &StabilityReport) {
-    page.push_str("<h2>Rows</h2>\n<div class=\"wide\">\n<table>\n<thead>\n<tr>");
-    for (head, align) in HEAD.into_iter().zip(ALIGN) {
-        put!(page, "<th{}>{}</th>", class(align), escape(head));
-    }
-    page.push_str("<th>worst input</th></tr>\n</thead>\n<tbody>\n");
+    page.push_str("<h2>Rows</h2>\n");
+    let (mut head, mut align) = (HEAD.to_vec(), ALIGN.to_vec());
+    head.push("worst input");
+    align.push(Align::Left);
+    begin_table(page, &head, &align);
     let mut last = None;
     for (i, row) in report.rows.iter().enumerate() {
         let title = (&row.function, &row.tier);
@@ -207,15 +194,13 @@ fn write_rows(page: &mut String, report: &StabilityReport) {
             put!(
                 page,
                 "<tr><th colspan=\"{}\">{title}</th></tr>\n",
-                HEAD.len() + 1
+                head.len()
             );
         }
         put!(page, "<tr id=\"row-{i}\">");
-        for (cell, align) in cells(row).iter().zip(ALIGN) {
-            put!(page, "<td{}>{}</td>", class(align), escape(cell));
-        }
+        write_cells(page, &cells(row), &ALIGN);
         let worst = row.worst_input.as_deref().unwrap_or_default();
         put!(page, "<td>{}</td></tr>\n", escape(worst));
     }
-    page.push_str("</tbody>\n</table>\n</div>\n");
+    page.push_str(END_TABLE);
 }

@@ -117,9 +117,9 @@ fn line_of(summary: &Summary) -> String {
         summary.inputs.to_string(),
         format!("{} {} {}", summary.nan, summary.inf, summary.negative),
         format!("{:.1e}", summary.max_relative_error.unwrap_or(f64::NAN)),
-        match summary.max_of_bound {
-            Some(share) if !is_listing(&summary.function) => format!("{:.0} %", share * 100.0),
-            _ => "nothing promised".to_owned(),
+        match summary.of_bound() {
+            Some(share) => format!("{:.0} %", share * 100.0),
+            None => "nothing promised".to_owned(),
         },
         format!("{:.1}", summary.max_bits_lost.unwrap_or(f64::NAN)),
     ];

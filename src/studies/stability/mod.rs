@@ -204,7 +204,6 @@ impl Study {
                 .worst
                 .as_ref()
                 .map(|worst| told(self.function, worst)),
-            held: !self.function.is_listing,
         }
     }
 }
