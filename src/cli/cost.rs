@@ -102,7 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match json {
         Some(json) => write_json(json, &report)?,
         None => {
-            let software = software(device.info().kind);
+            let software = software(&report.device.kind);
             let head = format!(
                 "{}{software}; * beaten by no other; [95 % intervals]\n",
                 report.device.name

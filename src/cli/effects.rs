@@ -102,7 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Some(json) => write_json(json, &report)?,
         None => {
             let titled = arguments.price_list.is_none();
-            print_bytes(text(&report, software(device.info().kind), titled).as_bytes())?;
+            print_bytes(text(&report, software(device.info().kind.name()), titled).as_bytes())?;
         }
     }
     judge_messages(messages.len())

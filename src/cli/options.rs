@@ -5,7 +5,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 
 use crate::cli::exit::Failure;
-use crate::gpu::{self, Device, DeviceKind, DeviceSelector, Instance, Samples, Validation};
+use crate::gpu::{self, Device, DeviceSelector, Instance, Samples, Validation};
 use crate::render::ToneMapping;
 use crate::render::effects::{Build, EffectSet, Effects};
 
@@ -105,10 +105,10 @@ pub fn build(text: &str) -> Result<Build, String> {
     found.ok_or_else(|| "it is dynamic, scene or material".into())
 }
 
-/// What is said beside the name of a device that is none of its own.
-pub fn software(kind: DeviceKind) -> &'static str {
+/// What is said beside the name of a device that is none of its own; its kind by the name that reports have.
+pub fn software(kind: &str) -> &'static str {
     match kind {
-        DeviceKind::Cpu => " (a software rasteriser: times are a CPU's)",
+        "cpu" => " (a software rasteriser: times are a CPU's)",
         _ => "",
     }
 }

@@ -346,7 +346,7 @@ fn summary(report: &RenderReport, kind: DeviceKind) -> Vec<String> {
         frame,
         ..
     } = report;
-    let software = software(kind);
+    let software = software(kind.name());
     let mut lines = vec![
         format!("device   {}{software}", device.name),
         format!(

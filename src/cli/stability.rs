@@ -1,6 +1,6 @@
 //! How does `umber stability` go from functions to a table of what they keep?
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use indicatif::ProgressBar;
 
@@ -9,7 +9,9 @@ use crate::cli::options::{DeviceArgument, count, software};
 use crate::cli::output::{JsonArgument, Output, print_bytes, progress_bar, talk, write_json};
 use crate::gpu::{Device, Error};
 use crate::render::library::{FUNCTIONS, Function, Tier};
-use crate::report::{Machine, Program, StabilityReport, stability_page};
+use crate::report::{
+    Machine, Program, StabilityReport, read_stability, stability_beside, stability_page,
+};
 use crate::scene::suggest;
 use crate::studies::stability::{Amount, CASES, Case, Study, costs};
 
@@ -44,6 +46,13 @@ pub struct Arguments {
     /// Write one page with maps of the bits lost, method and machine
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
+    /// Say in what the report of another device differs
+    #[arg(long, value_name = "OTHER.json")]
+    beside: Option<PathBuf>,
+    /// Evaluate nothing: take the rows of a report
+    #[arg(long, value_name = "FILE.json",
+          conflicts_with_all = ["quick", "full", "function", "tier", "case", "inputs", "seed", "device", "validation"])]
+    read: Option<PathBuf>,
     /// Tell the cases of the corpus
     #[arg(long)]
     list: bool,
@@ -132,9 +141,46 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.list {
         return print_bytes(list().as_bytes());
     }
-    let mut taken = Vec::new();
+    let inputs = [&arguments.read, &arguments.beside];
+    let mut taken: Vec<&PathBuf> = inputs.into_iter().flatten().collect();
     let json = Output::open_apart(arguments.json.json.as_ref(), &mut taken)?;
     let page = Output::open_apart(arguments.report.as_ref(), &mut taken)?;
+    let read_report = |path: &PathBuf| read(path);
+    let there = arguments.beside.as_ref().map(read_report).transpose()?;
+    let there = there.as_ref();
+    let (report, messages) = match &arguments.read {
+        Some(path) => (read(path)?, 0),
+        None => evaluated(arguments)?,
+    };
+    if let Some(page) = page {
+        page.write(stability_page(&report, there).as_bytes())?;
+    }
+    let beside = there.map(|there| stability_beside(&report, there));
+    match json {
+        Some(json) => {
+            write_json(json, &report)?;
+            beside.iter().for_each(talk);
+        }
+        None => {
+            let table = report.table(software(&report.device.kind));
+            print_bytes((table + &beside.unwrap_or_default()).as_bytes())?;
+        }
+    }
+    judge_messages(messages)?;
+    judge(&report)
+}
+
+/// A report, checked.
+fn read(path: &Path) -> Result<StabilityReport, Failure> {
+    let place = path.display();
+    let failure =
+        |error: &dyn std::fmt::Display| Failure::new(Exit::File, format_args!("{place}: {error}"));
+    let bytes = std::fs::read(path).map_err(|error| failure(&error))?;
+    read_stability(&bytes).map_err(|error| failure(&error))
+}
+
+/// What the device makes of the functions, and how many messages validation had.
+fn evaluated(arguments: &Arguments) -> Result<(StabilityReport, usize), Failure> {
     let device = arguments.device.open()?;
     let bar = progress_bar(arguments.quiet, values(arguments), BAR);
     let mut report = StabilityReport {
@@ -154,15 +200,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let messages = device.instance().validation_log().drain();
     messages.iter().for_each(talk);
     done?;
-    if let Some(page) = page {
-        page.write(stability_page(&report).as_bytes())?;
-    }
-    match json {
-        Some(json) => write_json(json, &report)?,
-        None => print_bytes(report.table(software(device.info().kind)).as_bytes())?,
-    }
-    judge_messages(messages.len())?;
-    judge(&report)
+    Ok((report, messages.len()))
 }
 
 fn study(

@@ -10,20 +10,24 @@ use super::stability::{
     ALIGN, BitsMap, COST_ALIGN, COST_HEAD, HEAD, SUMMARY_ALIGN, SUMMARY_HEAD, StabilityReport,
     cells, cost_cells, summary_cells,
 };
+use super::stability_beside;
 use super::stability_headlines::headlines;
 use super::table::Align;
 
 /// Bits of a float.
 const BITS: f64 = 24.0;
 
-/// The page.
-pub fn page(report: &StabilityReport) -> String {
+/// The page; with another device's report also in what that differs.
+pub fn page(report: &StabilityReport, there: Option<&StabilityReport>) -> String {
     let title = "Which values can be trusted";
     let mut page = page::begin(title, "umber stability", &report.device);
     let said = headlines(report).into_iter();
     let said = said.map(|headline| (format!("row-{}", headline.row), headline.text));
     page::write_headlines(&mut page, said, page::UNDER_HEADLINES);
     write_functions(&mut page, report);
+    if let Some(there) = there {
+        write_beside(&mut page, report, there);
+    }
     write_maps(&mut page, report);
     write_costs(&mut page, report);
     write_method(&mut page, report);
@@ -43,6 +47,31 @@ fn write_functions(page: &mut String, report: &StabilityReport) {
         put!(page, "<tr><td><a href=\"#row-{row}\">{function}</a></td>");
         write_cells(page, &rest, &SUMMARY_ALIGN[1..]);
         page.push_str("</tr>\n");
+    }
+    page.push_str(END_TABLE);
+}
+
+/// What another device makes of the same functions.
+fn write_beside(page: &mut String, here: &StabilityReport, there: &StabilityReport) {
+    let about = escape(&stability_beside::about(here, there));
+    put!(
+        page,
+        "<h2>Beside another device</h2>\n<p class=\"under\">{about}</p>\n"
+    );
+    let head = stability_beside::head();
+    begin_table(page, &head, &SUMMARY_ALIGN);
+    for [ours, theirs] in stability_beside::differing(here, there) {
+        let function = escape(&ours.function);
+        put!(
+            page,
+            "<tr><th colspan=\"{}\">{function}</th></tr>\n",
+            head.len()
+        );
+        for figures in [ours, theirs] {
+            page.push_str("<tr>");
+            write_cells(page, &figures.cells, &SUMMARY_ALIGN);
+            page.push_str("</tr>\n");
+        }
     }
     page.push_str(END_TABLE);
 }

@@ -1,8 +1,9 @@
 //! Is the page of a stability report well-formed, whole and safe from what a driver calls itself?
 
+use proptest::prelude::*;
 use umber::report::{
     BitsMap, CostRow, Device, Interval95, Machine, Program, StabilityReport, StabilityRow,
-    stability_page,
+    read_stability, stability_beside, stability_page,
 };
 
 fn row(function: &str, case: &str, nan: u64, of_bound: f64) -> StabilityRow {
@@ -38,7 +39,7 @@ fn report() -> StabilityReport {
         machine: Machine::this(),
         plan: "quick".to_owned(),
         seed: 1,
-        evaluations: 4936,
+        evaluations: 4 * 1234,
         rows: vec![
             row("oren-nayar", "generic", 0, 0.2),
             row("oren-nayar", "headlight", 0, 0.7),
@@ -69,6 +70,10 @@ fn report() -> StabilityReport {
     }
 }
 
+fn bytes(report: &StabilityReport) -> Vec<u8> {
+    serde_json::to_vec(report).expect("serialises")
+}
+
 #[test]
 fn each_function_is_summed_up_and_its_worst_row_found() {
     let summaries = report().summaries();
@@ -90,7 +95,7 @@ fn each_function_is_summed_up_and_its_worst_row_found() {
 
 #[test]
 fn the_page_is_well_formed_and_every_link_leads_somewhere() {
-    let page = stability_page(&report());
+    let page = stability_page(&report(), None);
     let body = page.split_once('\n').map_or("", |(_, rest)| rest);
     let parsed = roxmltree::Document::parse(body).expect("well-formed");
     let all = || parsed.descendants();
@@ -131,7 +136,7 @@ fn the_page_is_well_formed_and_every_link_leads_somewhere() {
 #[test]
 fn a_cost_is_told_where_both_its_bounds_are_known() {
     let told = |report: &StabilityReport| {
-        stability_page(report)
+        stability_page(report, None)
             .contains("oren-nayar in f32 costs 0.50 (0.40 to 0.60) of slides-oren-nayar.")
     };
     let mut bounded = report();
@@ -144,10 +149,10 @@ fn a_cost_is_told_where_both_its_bounds_are_known() {
 fn a_report_that_was_read_again_breaks_the_same_promises() {
     let mut broken = report();
     broken.rows[1].max_of_bound = Some(1.5);
-    let text = serde_json::to_string(&broken).expect("serialises");
-    let again: StabilityReport = serde_json::from_str(&text).expect("reads");
+    let again = read_stability(&bytes(&broken)).expect("a report");
+    assert_eq!(again, broken);
     assert_eq!(again.broken().count(), 1);
-    assert!(stability_page(&again).contains("oren-nayar in f32, comes to 150 % of it"));
+    assert!(stability_page(&again, None).contains("oren-nayar in f32, comes to 150 % of it"));
 }
 
 #[test]
@@ -163,5 +168,87 @@ fn the_table_has_a_line_for_every_row() {
         "of listing",
     ] {
         assert!(table.contains(words), "{words}: {table}");
+    }
+}
+
+#[test]
+fn what_another_device_makes_of_it_is_told() {
+    let mut other = report();
+    other.device.name = "other & co".to_owned();
+    other.rows[3].nan = 1_110;
+    let table = stability_beside(&report(), &other);
+    let cells = |whose: &str| {
+        let mut lines = table.lines().filter(|line| line.starts_with(whose));
+        let line = lines.find(|line| line.contains("f32")).unwrap_or_default();
+        line.split_whitespace()
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(cells("here")[..4], ["here", "f32", "2,468", "5"]);
+    assert_eq!(cells("there")[..4], ["there", "f32", "2,468", "1,110"]);
+    assert!(
+        table.contains("Of 2 functions in their tiers 1 have"),
+        "{table}"
+    );
+    let page = stability_page(&report(), Some(&other));
+    let body = page.split_once('\n').map_or("", |(_, rest)| rest);
+    let parsed = roxmltree::Document::parse(body).expect("well-formed");
+    let text: String = parsed
+        .descendants()
+        .filter_map(|node| node.text())
+        .collect();
+    for words in ["other & co", "1,110"] {
+        assert!(text.contains(words), "{words}");
+    }
+    // Beside itself nothing differs.
+    let same = stability_beside(&report(), &report());
+    assert!(
+        same.contains("tiers 0 have") && !same.contains("there  "),
+        "{same}"
+    );
+}
+
+#[test]
+fn what_no_run_would_have_written_is_refused() {
+    let refused = |change: &dyn Fn(&mut StabilityReport), part: &str| {
+        let mut report = report();
+        change(&mut report);
+        let message = match read_stability(&bytes(&report)) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        };
+        let told = message.contains(part) && message.contains("umber stability --json=FILE");
+        assert!(told, "{part}: {message}");
+    };
+    refused(&|r| r.schema = "umber.bench/1".into(), "umber.bench/1");
+    refused(&|r| r.rows[1].nan = 1235, "rows[1]: nan");
+    refused(&|r| r.rows[2].inputs = u64::MAX, "rows[2]: inputs");
+    refused(&|r| r.rows[0].max_of_bound = Some(-1.0), "max_of_bound");
+    refused(&|r| r.rows[0].case = "a\u{1b}[31m".into(), "case");
+    refused(
+        &|r| r.rows[0].worst_input = Some("x".repeat(100_000)),
+        "worst_input",
+    );
+    refused(&|r| r.evaluations = 1, "evaluations");
+    refused(&|r| r.costs[0].relative = 1e300, "costs[0]: relative");
+    refused(&|r| r.maps[0].bits[1].truncate(1), "maps[0]: its cells");
+    refused(&|r| r.maps[0].bad.truncate(1), "maps[0]: its cells");
+    refused(&|r| r.maps[0].degrees[0] = 1e9, "maps[0]: degrees");
+    refused(&|r| r.device.name = "a\nb".into(), "device.name");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn no_damage_makes_reader_or_page_panic(place in 0_usize..4000, byte: u8) {
+        let mut bytes = bytes(&report());
+        if let Some(damaged) = bytes.get_mut(place) {
+            *damaged = byte;
+        }
+        if let Ok(report) = read_stability(&bytes) {
+            let _ = report.table("");
+            let _ = stability_page(&report, Some(&report));
+        }
     }
 }

@@ -91,7 +91,7 @@ fn say_what(arguments: &Arguments, info: &DeviceInfo, cells: usize) {
     talk(format_args!(
         "{}{}: {}{kept}",
         info.name,
-        software(info.kind),
+        software(info.kind.name()),
         count(cells as u64, "cell"),
     ));
 }

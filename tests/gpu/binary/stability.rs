@@ -115,3 +115,40 @@ fn stability_refuses_unknown_names_and_lists_known_ones() -> Tested {
     stability(&["--list"])?.ends(0, &["light-opposite-eye", "pbrt-v4 #283"]);
     Ok(())
 }
+
+#[test]
+fn a_report_is_read_again_and_set_beside_another() -> Tested {
+    let place = Place::empty()?;
+    let made = |name: &str, case: &str| {
+        let json = format!("--json={name}");
+        let fixed = ["stability", "--quiet", "--function", "slides-oren-nayar"];
+        let own = ["--inputs", "500", "--case", case, &json];
+        place.umber(&[&fixed[..], &own].concat())
+    };
+    made("one.json", "generic")?.ends(0, &[]);
+    made("two.json", "all-on-normal")?.ends(0, &[]);
+    let read = |rest: &[&str]| place.umber(&[&["stability", "--read", "one.json"], rest].concat());
+    let run = read(&["--beside", "two.json", "--report", "page.html"])?.ends(0, &[]);
+    let table = String::from_utf8(run.stdout)?;
+    let beside = table
+        .split_once("here: ")
+        .ok_or("nothing is told of the other")?
+        .1;
+    assert!(
+        beside.contains("slides-oren-nayar:") && beside.contains("NaN"),
+        "{table}"
+    );
+    let page = std::fs::read_to_string(place.path("page.html"))?;
+    assert!(page.contains("Beside another device"));
+    read(&["--json=again.json", "--beside", "one.json"])?.ends(0, &["tiers 0 have"]);
+    let bytes = |name: &str| std::fs::read(place.path(name));
+    assert_eq!(bytes("one.json")?, bytes("again.json")?);
+    // Nothing that is read is overwritten.
+    read(&["--json=one.json"])?.ends(2, &["one.json", "overwritten"]);
+    read(&["--beside", "two.json", "--report", "two.json"])?.ends(2, &["two.json"]);
+    read(&["--full"])?.ends(2, &["--full"]);
+    place.write("text.json", "no report")?;
+    read(&["--beside", "text.json"])?.ends(6, &["text.json", "no JSON"]);
+    read(&["--beside", "absent.json"])?.ends(6, &["absent.json"]);
+    Ok(())
+}
