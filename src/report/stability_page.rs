@@ -25,11 +25,11 @@ pub fn page(report: &StabilityReport, there: Option<&StabilityReport>) -> String
     let said = said.map(|headline| (format!("row-{}", headline.row), headline.text));
     page::write_headlines(&mut page, said, page::UNDER_HEADLINES);
     write_functions(&mut page, report);
+    write_maps(&mut page, report);
+    write_costs(&mut page, report);
     if let Some(there) = there {
         write_beside(&mut page, report, there);
     }
-    write_maps(&mut page, report);
-    write_costs(&mut page, report);
     write_method(&mut page, report);
     page::write_machine(&mut page, &report.device, &report.machine, &report.program);
     write_rows(&mut page, report);
@@ -60,18 +60,18 @@ fn write_beside(page: &mut String, here: &StabilityReport, there: &StabilityRepo
     );
     let head = stability_beside::head();
     begin_table(page, &head, &SUMMARY_ALIGN);
-    for [ours, theirs] in stability_beside::differing(here, there) {
-        let function = escape(&ours.function);
-        put!(
-            page,
-            "<tr><th colspan=\"{}\">{function}</th></tr>\n",
-            head.len()
-        );
-        for figures in [ours, theirs] {
-            page.push_str("<tr>");
-            write_cells(page, &figures.cells, &SUMMARY_ALIGN);
-            page.push_str("</tr>\n");
+    let mut last = String::new();
+    for row in stability_beside::differing(here, there)
+        .into_iter()
+        .flatten()
+    {
+        if row.function != last {
+            write_title(page, &row.function, head.len());
         }
+        page.push_str("<tr>");
+        write_cells(page, &row.cells, &SUMMARY_ALIGN);
+        page.push_str("</tr>\n");
+        last = row.function;
     }
     page.push_str(END_TABLE);
 }
@@ -171,6 +171,12 @@ fn begin_table(page: &mut String, head: &[&str], align: &[Align]) {
 /// Its end.
 const END_TABLE: &str = "</tbody>\n</table>\n</div>\n";
 
+/// A line above rows that belong together.
+fn write_title(page: &mut String, title: &str, columns: usize) {
+    let title = escape(title);
+    put!(page, "<tr><th colspan=\"{columns}\">{title}</th></tr>\n");
+}
+
 fn write_cells(page: &mut String, cells: &[String], align: &[Align]) {
     for (cell, align) in cells.iter().zip(align) {
         put!(page, "<td{}>{}</td>", class(*align), escape(cell));
@@ -219,12 +225,7 @@ fn write_rows(page: &mut String, report: &StabilityReport) {
     for (i, row) in report.rows.iter().enumerate() {
         let title = (&row.function, &row.tier);
         if last.replace(title) != Some(title) {
-            let title = escape(&format!("{}, {}", row.function, row.tier));
-            put!(
-                page,
-                "<tr><th colspan=\"{}\">{title}</th></tr>\n",
-                head.len()
-            );
+            write_title(page, &format!("{}, {}", row.function, row.tier), head.len());
         }
         put!(page, "<tr id=\"row-{i}\">");
         write_cells(page, &cells(row), &ALIGN);
