@@ -77,6 +77,7 @@ float facet_value(ProbeInput p, int tier) {
 }
 
 float schlick_value(ProbeInput p, int tier) {
+    // N.h is not asked for.
     float one_minus_cos = half_rest(half_vector(p.normal, p.light, p.eye, 0.0, 0.0));
     if (tier == TIER_HALF) {
         return F_Schlick_half(p.f0, one_minus_cos);

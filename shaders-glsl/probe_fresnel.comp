@@ -17,6 +17,7 @@ const int FUNCTION_CONDUCTOR = 2;
 const int FUNCTION_SPECTRAL = 3;
 
 float value_of(ProbeInput p, int tier) {
+    // N.h is not asked for.
     HalfVector h = half_vector(p.normal, p.light, p.eye, 0.0, 0.0);
     float mu = half_cosine(h);
     float one_minus_mu = half_rest(h);

@@ -15,6 +15,7 @@ use places::Places;
 
 use crate::cli::exit::{Exit, Failure};
 use crate::cli::output::talk;
+use crate::cli::reports;
 use crate::report::{BenchReport, Comparison, compare, read_bench};
 
 /// Measures, keeps, prints, compares.
@@ -29,8 +30,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         heap::keep();
     }
     let places = Places::open(arguments)?;
-    let read_report = |path: &std::path::PathBuf| read(path);
-    let baseline = arguments.baseline.as_ref().map(read_report).transpose()?;
+    let baseline = arguments.baseline.as_deref().map(read).transpose()?;
     let report = match &arguments.read {
         Some(path) => read(path)?,
         None => measured(arguments)?,
@@ -44,10 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// An earlier report, checked.
 pub(super) fn read(path: &Path) -> Result<BenchReport, Failure> {
-    let place = path.display();
-    let bytes = std::fs::read(path)
-        .map_err(|error| Failure::new(Exit::File, format_args!("cannot read {place}: {error}")))?;
-    read_bench(&bytes).map_err(|error| Failure::new(Exit::File, format_args!("{place}: {error}")))
+    reports::read(path, read_bench)
 }
 
 /// Says what changed, and fails where something grew past the threshold.

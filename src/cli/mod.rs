@@ -14,6 +14,7 @@ mod models;
 mod options;
 mod output;
 mod render;
+mod reports;
 mod stability;
 
 use std::process::ExitCode;

@@ -1,12 +1,13 @@
 //! How does `umber stability` go from functions to a table of what they keep?
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use indicatif::ProgressBar;
 
 use crate::cli::exit::{Exit, Failure, judge_messages};
 use crate::cli::options::{DeviceArgument, count, software};
 use crate::cli::output::{JsonArgument, Output, print_bytes, progress_bar, talk, write_json};
+use crate::cli::reports;
 use crate::gpu::{Device, Error};
 use crate::render::library::{FUNCTIONS, Function, Tier};
 use crate::report::{
@@ -46,7 +47,7 @@ pub struct Arguments {
     /// Write one page with maps of the bits lost, method and machine
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Say in what the report of another device differs
+    /// Say in what another report differs: another device's, say; with --json on stderr
     #[arg(long, value_name = "OTHER.json")]
     beside: Option<PathBuf>,
     /// Evaluate nothing: take the rows of a report
@@ -145,8 +146,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut taken: Vec<&PathBuf> = inputs.into_iter().flatten().collect();
     let json = Output::open_apart(arguments.json.json.as_ref(), &mut taken)?;
     let page = Output::open_apart(arguments.report.as_ref(), &mut taken)?;
-    let read_report = |path: &PathBuf| read(path);
-    let there = arguments.beside.as_ref().map(read_report).transpose()?;
+    let read = |path: &PathBuf| reports::read(path, read_stability);
+    let there = arguments.beside.as_ref().map(read).transpose()?;
     let there = there.as_ref();
     let (report, messages) = match &arguments.read {
         Some(path) => (read(path)?, 0),
@@ -159,24 +160,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match json {
         Some(json) => {
             write_json(json, &report)?;
-            beside.iter().for_each(talk);
+            beside.iter().filter(|_| !arguments.quiet).for_each(talk);
         }
         None => {
-            let table = report.table(software(&report.device.kind));
-            print_bytes((table + &beside.unwrap_or_default()).as_bytes())?;
+            let mut text = report.table(software(&report.device.kind));
+            if let Some(beside) = beside {
+                text += "\n";
+                text += &beside;
+            }
+            print_bytes(text.as_bytes())?;
         }
     }
     judge_messages(messages)?;
     judge(&report)
-}
-
-/// A report, checked.
-fn read(path: &Path) -> Result<StabilityReport, Failure> {
-    let place = path.display();
-    let failure =
-        |error: &dyn std::fmt::Display| Failure::new(Exit::File, format_args!("{place}: {error}"));
-    let bytes = std::fs::read(path).map_err(|error| failure(&error))?;
-    read_stability(&bytes).map_err(|error| failure(&error))
 }
 
 /// What the device makes of the functions, and how many messages validation had.

@@ -1,6 +1,7 @@
-//! Is a file an earlier report of `umber bench`? Nothing of it is used before all of it is checked.
+//! Is a file an earlier report of `umber bench`?
 
 use super::bench::{BenchReport, BenchRow};
+use super::interval::Interval95;
 use super::reading::{
     BadReport, check_count, check_figure, check_interval, check_made, check_text, of_schema,
 };
@@ -42,7 +43,7 @@ fn check(report: &BenchReport) -> Result<(), String> {
         check_text("note", &even.note).map_err(of)?;
         check_count("materials", even.materials.into(), MOST_MATERIALS).map_err(of)?;
         check_figure("pixels", even.pixels.unwrap_or(0.0), MOST_PIXELS).map_err(of)?;
-        check_interval("pixels_95", even.pixels_95, MOST_PIXELS).map_err(of)?;
+        check_bounds("pixels_95", even.pixels_95, MOST_PIXELS).map_err(of)?;
     }
     Ok(())
 }
@@ -97,6 +98,11 @@ fn check_row(row: &BenchRow) -> Result<(), String> {
     for (name, figure, most) in figures {
         check_figure(name, figure.unwrap_or(0.0), most)?;
     }
-    check_interval("relative_95", row.relative_95, MOST_TIMES)?;
-    check_interval("record_relative_95", row.record_relative_95, MOST_TIMES)
+    check_bounds("relative_95", row.relative_95, MOST_TIMES)?;
+    check_bounds("record_relative_95", row.record_relative_95, MOST_TIMES)
+}
+
+/// Bounds of at least 0, if there are any.
+fn check_bounds(name: &str, interval: Option<Interval95>, most: f64) -> Result<(), String> {
+    check_interval(name, interval.unwrap_or(Interval95::UNBOUNDED), 0.0..=most)
 }

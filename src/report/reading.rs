@@ -1,5 +1,7 @@
 //! Is a file an earlier report of Umber's? Nothing of it is used before all of it is checked.
 
+use std::ops::RangeInclusive;
+
 use serde::de::DeserializeOwned;
 
 use super::bench_words::plain;
@@ -88,19 +90,29 @@ pub fn check_count(name: &str, count: u64, most: u64) -> Result<(), String> {
 
 /// A figure of at least 0.
 pub fn check_figure(name: &str, figure: f64, most: f64) -> Result<(), String> {
-    match (0.0..=most).contains(&figure) {
+    check_within(name, figure, 0.0..=most)
+}
+
+/// A figure in a range.
+pub fn check_within(name: &str, figure: f64, range: RangeInclusive<f64>) -> Result<(), String> {
+    let (least, most) = (range.start(), range.end());
+    match range.contains(&figure) {
         true => Ok(()),
-        false => Err(format!("{name} is {figure}, not between 0 and {most}")),
+        false => Err(format!(
+            "{name} is {figure}, not between {least} and {most}"
+        )),
     }
 }
 
-/// Bounds of at least 0, the lower one first.
-pub fn check_interval(name: &str, interval: Option<Interval95>, most: f64) -> Result<(), String> {
-    let Some(Interval95 { low, high }) = interval else {
-        return Ok(());
-    };
-    check_figure(name, low.unwrap_or(0.0), most)?;
-    check_figure(name, high.unwrap_or(0.0), most)?;
+/// Bounds in a range that holds 0, the lower one first.
+pub fn check_interval(
+    name: &str,
+    interval: Interval95,
+    range: RangeInclusive<f64>,
+) -> Result<(), String> {
+    let Interval95 { low, high } = interval;
+    check_within(name, low.unwrap_or(0.0), range.clone())?;
+    check_within(name, high.unwrap_or(0.0), range)?;
     match (low, high) {
         (Some(low), Some(high)) if low > high => {
             Err(format!("{name} runs from {low} down to {high}"))

@@ -30,7 +30,8 @@ pub struct StabilityReport {
     pub program: Program,
 }
 
-/// A function in a tier and a case. Errors are null where nothing is promised at any of the inputs.
+/// A function in a tier and a case. Errors are null where nothing is promised at any of the inputs (`judged` is 0), and where the
+/// largest is infinite: something where the truth is nothing.
 #[derive(Clone, PartialEq, Debug, serde::Serialize, serde::Deserialize)]
 pub struct StabilityRow {
     /// The function; the slides' listings are named `slides-*`.
@@ -118,8 +119,8 @@ pub struct Summary {
     pub negative: u64,
     /// The largest error, of the truth.
     pub max_relative_error: Option<f64>,
-    /// The largest error, of what is promised where it occurred.
-    pub max_of_bound: Option<f64>,
+    /// The largest error, of what is promised where it occurred; none where nothing is.
+    pub of_bound: Option<f64>,
     /// The most bits lost.
     pub max_bits_lost: Option<f64>,
     /// Its worst row: one with a value that is none or below 0, or that of the largest error over its bound.
@@ -187,11 +188,6 @@ impl Summary {
         self.nan + self.inf + self.negative
     }
 
-    /// The largest error over its bound; None for a listing, of which nothing is promised.
-    pub fn of_bound(&self) -> Option<f64> {
-        self.max_of_bound.filter(|_| !is_listing(&self.function))
-    }
-
     fn of(i: usize, row: &StabilityRow) -> Self {
         Self {
             function: row.function.clone(),
@@ -201,14 +197,14 @@ impl Summary {
             inf: row.inf,
             negative: row.negative,
             max_relative_error: row.max_relative_error,
-            max_of_bound: row.max_of_bound,
+            of_bound: row.of_bound(),
             max_bits_lost: row.max_bits_lost,
             row: i,
         }
     }
 
     fn add(&mut self, i: usize, row: &StabilityRow, rows: &[StabilityRow]) {
-        let rank = |row: &StabilityRow| (row.bad(), row.max_of_bound.unwrap_or(0.0));
+        let rank = |row: &StabilityRow| (row.bad(), row.share().unwrap_or(0.0));
         if rank(row) > rank(&rows[self.row]) {
             self.row = i;
         }
@@ -217,7 +213,7 @@ impl Summary {
         self.inf += row.inf;
         self.negative += row.negative;
         self.max_relative_error = larger(self.max_relative_error, row.max_relative_error);
-        self.max_of_bound = larger(self.max_of_bound, row.max_of_bound);
+        self.of_bound = larger(self.of_bound, row.of_bound());
         self.max_bits_lost = larger(self.max_bits_lost, row.max_bits_lost);
     }
 }
@@ -236,9 +232,20 @@ impl StabilityRow {
         self.nan + self.inf + self.negative
     }
 
+    /// The largest error over the bound where it occurred, infinite where something is and the truth is nothing. A listing has one
+    /// too, and promises nothing.
+    fn share(&self) -> Option<f64> {
+        (self.judged > 0).then(|| self.max_of_bound.unwrap_or(f64::INFINITY))
+    }
+
+    /// The same of what is promised: none where nothing is.
+    pub fn of_bound(&self) -> Option<f64> {
+        self.share().filter(|_| !is_listing(&self.function))
+    }
+
     /// Whether a value is none, is below 0, or is further off than promised.
     pub fn is_broken(&self) -> bool {
-        let off = self.max_of_bound.is_some_and(|share| share > 1.0);
+        let off = self.of_bound().is_some_and(|share| share > 1.0);
         !is_listing(&self.function) && (self.bad() > 0 || off)
     }
 }
@@ -276,8 +283,7 @@ pub(super) const ALIGN: [Align; 9] = [
 
 /// A row as a person reads it.
 pub(super) fn cells(row: &StabilityRow) -> [String; 9] {
-    let promised = row.max_of_bound.filter(|_| !is_listing(&row.function));
-    let [error, of_bound, bits] = errors(row.max_relative_error, promised, row.max_bits_lost);
+    let [error, of_bound, bits] = errors(row.max_relative_error, row.of_bound(), row.max_bits_lost);
     [
         row.case.clone(),
         thousands(row.inputs),
@@ -331,7 +337,7 @@ pub(super) const SUMMARY_ALIGN: [Align; 9] = [
 pub(super) fn summary_cells(summary: &Summary) -> [String; 9] {
     let [error, of_bound, bits] = errors(
         summary.max_relative_error,
-        summary.of_bound(),
+        summary.of_bound,
         summary.max_bits_lost,
     );
     [

@@ -1,9 +1,9 @@
-//! In what do two devices differ, function by function?
+//! In what do two reports differ, function by function?
 
-use super::stability::{SUMMARY_ALIGN, SUMMARY_HEAD, StabilityReport, summary_cells};
+use super::stability::{SUMMARY_ALIGN, SUMMARY_HEAD, StabilityReport, Summary, summary_cells};
 use super::table::write_table;
 
-/// A device's figures of a function in a tier.
+/// A report's figures of a function in a tier.
 pub(super) struct Figures {
     /// The function.
     pub function: String,
@@ -14,27 +14,58 @@ pub(super) struct Figures {
 /// The columns of all cases together, with whose they are in place of the function.
 pub(super) fn head() -> [&'static str; 9] {
     let mut head = SUMMARY_HEAD;
-    head[0] = "device";
+    head[0] = "report";
     head
 }
 
-/// What both have made and in which they differ, this device's figures and then the other's.
-pub(super) fn differing(here: &StabilityReport, there: &StabilityReport) -> Vec<[Figures; 2]> {
-    let others = there.summaries();
-    let mut pairs = Vec::new();
-    for one in here.summaries() {
-        let same = others
-            .iter()
-            .find(|other| (&other.function, &other.tier) == (&one.function, &one.tier));
-        let Some(other) = same else {
-            continue;
-        };
-        let (ours, theirs) = (summary_cells(&one), summary_cells(other));
-        if ours != theirs {
-            pairs.push([figures("here", ours), figures("there", theirs)]);
+/// Two reports, side by side.
+pub(super) struct Beside {
+    /// What they are, and in how much they differ.
+    pub about: String,
+    /// Of each function in each tier in which they differ the figures here, and then there.
+    pub rows: Vec<Figures>,
+}
+
+impl Beside {
+    /// Compares what both have.
+    pub fn new(here: &StabilityReport, there: &StabilityReport) -> Self {
+        let (mine, others) = (here.summaries(), there.summaries());
+        let (mut rows, mut both) = (Vec::new(), 0);
+        for one in &mine {
+            let same =
+                |other: &&Summary| (&other.function, &other.tier) == (&one.function, &one.tier);
+            let Some(other) = others.iter().find(same) else {
+                continue;
+            };
+            both += 1;
+            let (ours, theirs) = (summary_cells(one), summary_cells(other));
+            if ours != theirs {
+                rows.extend([figures("here", ours), figures("there", theirs)]);
+            }
         }
+        let alone = mine.len() + others.len() - 2 * both;
+        let about = format!(
+            "here: {}; there: {}. Of {both} functions in their tiers that both have, {} have other figures there; {alone} are in one alone.",
+            made(here),
+            made(there),
+            rows.len() / 2,
+        );
+        Self { about, rows }
     }
-    pairs
+}
+
+/// On what, by what and how a report was made.
+fn made(report: &StabilityReport) -> String {
+    let device = &report.device;
+    format!(
+        "{}, {} {}, revision {}, plan {}, seed {}",
+        device.name,
+        device.driver,
+        device.driver_version,
+        report.program.revision,
+        report.plan,
+        report.seed
+    )
 }
 
 fn figures(whose: &str, mut cells: [String; 9]) -> Figures {
@@ -42,28 +73,13 @@ fn figures(whose: &str, mut cells: [String; 9]) -> Figures {
     Figures { function, cells }
 }
 
-/// Who is meant by `there`, and in how much it differs.
-pub(super) fn about(here: &StabilityReport, there: &StabilityReport) -> String {
-    format!(
-        "here: this device; there: {}, {} {}, revision {}. Of {} functions in their tiers {} have other figures there.",
-        there.device.name,
-        there.device.driver,
-        there.device.driver_version,
-        there.program.revision,
-        here.summaries().len(),
-        differing(here, there).len(),
-    )
-}
-
-/// The table as a person reads it.
+/// What a person reads.
 pub fn table(here: &StabilityReport, there: &StabilityReport) -> String {
-    let mut text = format!("\n{}\n", about(here, there));
-    let rows = differing(here, there).into_iter().flatten();
-    write_table(
-        &mut text,
-        head(),
-        SUMMARY_ALIGN,
-        rows.map(|row| (row.function, row.cells)),
-    );
+    let Beside { about, rows } = Beside::new(here, there);
+    let mut text = about + "\n";
+    if !rows.is_empty() {
+        let rows = rows.into_iter().map(|row| (row.function, row.cells));
+        write_table(&mut text, head(), SUMMARY_ALIGN, rows);
+    }
     text
 }

@@ -25,7 +25,7 @@ pub fn headlines(report: &StabilityReport) -> Vec<Headline> {
 }
 
 fn of_library(library: &[Summary]) -> Option<Headline> {
-    let share = |summary: &Summary| summary.of_bound().unwrap_or(0.0);
+    let share = |summary: &Summary| summary.of_bound.unwrap_or(0.0);
     let nearest = library
         .iter()
         .max_by(|a, b| share(a).total_cmp(&share(b)))?;
@@ -38,12 +38,18 @@ fn of_library(library: &[Summary]) -> Option<Headline> {
         kinds(sum(|s| s.nan), sum(|s| s.inf), sum(|s| s.negative)),
         count(sum(|s| s.inputs), "value"),
     );
-    if let Some(share) = nearest.of_bound() {
-        let (function, tier) = (&nearest.function, &nearest.tier);
-        let percent = share * 100.0;
-        text += &format!(
-            "; the nearest to its bound, {function} in {tier}, comes to {percent:.0} % of it"
-        );
+    let (function, tier) = (&nearest.function, &nearest.tier);
+    match nearest.of_bound {
+        Some(share) if share > 1.0 => {
+            text += &format!("; {function} in {tier} passes its bound: {share:.3} of it");
+        }
+        Some(share) => {
+            let percent = share * 100.0;
+            text += &format!(
+                "; the nearest to its bound, {function} in {tier}, comes to {percent:.0} % of it"
+            );
+        }
+        None => {}
     }
     Some(Headline {
         text: text + ".",

@@ -10,20 +10,24 @@ use super::stability::{
     ALIGN, BitsMap, COST_ALIGN, COST_HEAD, HEAD, SUMMARY_ALIGN, SUMMARY_HEAD, StabilityReport,
     cells, cost_cells, summary_cells,
 };
-use super::stability_beside;
+use super::stability_beside::{self, Beside};
 use super::stability_headlines::headlines;
 use super::table::Align;
 
 /// Bits of a float.
 const BITS: f64 = 24.0;
 
-/// The page; with another device's report also in what that differs.
+/// The page; with another report also in what that differs.
 pub fn page(report: &StabilityReport, there: Option<&StabilityReport>) -> String {
     let title = "Which values can be trusted";
     let mut page = page::begin(title, "umber stability", &report.device);
     let said = headlines(report).into_iter();
     let said = said.map(|headline| (format!("row-{}", headline.row), headline.text));
-    page::write_headlines(&mut page, said, page::UNDER_HEADLINES);
+    let under = match report.costs.is_empty() {
+        true => "Each sentence leads to its row.",
+        false => page::UNDER_HEADLINES,
+    };
+    page::write_headlines(&mut page, said, under);
     write_functions(&mut page, report);
     write_maps(&mut page, report);
     write_costs(&mut page, report);
@@ -51,20 +55,21 @@ fn write_functions(page: &mut String, report: &StabilityReport) {
     page.push_str(END_TABLE);
 }
 
-/// What another device makes of the same functions.
+/// What another report has of the same functions.
 fn write_beside(page: &mut String, here: &StabilityReport, there: &StabilityReport) {
-    let about = escape(&stability_beside::about(here, there));
+    let Beside { about, rows } = Beside::new(here, there);
+    let about = escape(&about);
     put!(
         page,
-        "<h2>Beside another device</h2>\n<p class=\"under\">{about}</p>\n"
+        "<h2>Beside another report</h2>\n<p class=\"under\">{about}</p>\n"
     );
+    if rows.is_empty() {
+        return;
+    }
     let head = stability_beside::head();
     begin_table(page, &head, &SUMMARY_ALIGN);
     let mut last = String::new();
-    for row in stability_beside::differing(here, there)
-        .into_iter()
-        .flatten()
-    {
+    for row in rows {
         if row.function != last {
             write_title(page, &row.function, head.len());
         }

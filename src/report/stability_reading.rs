@@ -1,10 +1,13 @@
 //! Is a file an earlier report of `umber stability`?
 
-use super::reading::{BadReport, check_count, check_figure, check_made, check_text, of_schema};
+use super::reading::{
+    BadReport, check_count, check_figure, check_interval, check_made, check_text, check_within,
+    of_schema,
+};
 use super::stability::{BitsMap, CostRow, StabilityReport, StabilityRow};
 
 /// Larger counts and figures than these were not made. All rows' values together stay below 2^64.
-const MOST_ROWS: u64 = 100_000;
+const MOST_ROWS: u64 = 10_000;
 const MOST_VALUES: u64 = 100_000_000_000_000;
 const MOST_MAPS: u64 = 1_000;
 const MOST_CELLS: u64 = 1_000;
@@ -58,6 +61,9 @@ fn check_row(row: &StabilityRow) -> Result<(), String> {
     ] {
         check_count(name, count, row.inputs)?;
     }
+    // A value is one of them at most.
+    let bad = row.nan + row.inf + row.negative;
+    check_count("nan, inf and negative together", bad, row.inputs)?;
     for (name, figure, most) in [
         ("max_relative_error", row.max_relative_error, MOST_ERROR),
         ("mean_relative_error", row.mean_relative_error, MOST_ERROR),
@@ -75,12 +81,11 @@ fn check_cost(cost: &CostRow) -> Result<(), String> {
     check_text("function", &cost.function)?;
     check_text("tier", &cost.tier)?;
     check_text("listing", &cost.listing)?;
-    let bound = |bound: Option<f64>| bound.unwrap_or(0.0).abs();
-    check_figure("ns", cost.ns.abs(), MOST_NS)?;
-    check_figure("listing_ns", cost.listing_ns.abs(), MOST_NS)?;
-    check_figure("relative", cost.relative.abs(), MOST_TIMES)?;
-    check_figure("relative_95.low", bound(cost.relative_95.low), MOST_TIMES)?;
-    check_figure("relative_95.high", bound(cost.relative_95.high), MOST_TIMES)
+    let (times, ns) = (-MOST_TIMES..=MOST_TIMES, -MOST_NS..=MOST_NS);
+    check_within("ns", cost.ns, ns.clone())?;
+    check_within("listing_ns", cost.listing_ns, ns)?;
+    check_within("relative", cost.relative, times.clone())?;
+    check_interval("relative_95", cost.relative_95, times)
 }
 
 /// A map has a cell for each roughness and angle.

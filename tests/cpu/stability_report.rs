@@ -79,7 +79,11 @@ fn each_function_is_summed_up_and_its_worst_row_found() {
     let summaries = report().summaries();
     assert_eq!(summaries.len(), 2);
     assert_eq!((summaries[0].inputs, summaries[0].row), (2468, 1));
-    assert_eq!(summaries[0].max_of_bound, Some(0.7));
+    assert_eq!(summaries[0].of_bound, Some(0.7));
+    assert_eq!(
+        summaries[1].of_bound, None,
+        "of a listing nothing is promised"
+    );
     // One that is no number is worse than any error.
     assert_eq!((summaries[1].nan, summaries[1].row), (5, 3));
     assert_eq!(
@@ -145,6 +149,19 @@ fn a_cost_is_told_where_both_its_bounds_are_known() {
     assert!(told(&bounded));
 }
 
+/// JSON has no infinity: where the truth is nothing and the value is not, the figure is missing.
+#[test]
+fn what_is_infinitely_far_off_breaks_its_promise() {
+    let mut broken = report();
+    broken.rows[1].max_of_bound = None;
+    let again = read_stability(&bytes(&broken)).expect("a report");
+    assert_eq!(again.broken().count(), 1);
+    let page = stability_page(&again, None);
+    assert!(page.contains("oren-nayar in f32 passes its bound: inf of it"));
+    broken.rows[1].judged = 0;
+    assert_eq!(broken.broken().count(), 0);
+}
+
 #[test]
 fn a_report_that_was_read_again_breaks_the_same_promises() {
     let mut broken = report();
@@ -152,7 +169,9 @@ fn a_report_that_was_read_again_breaks_the_same_promises() {
     let again = read_stability(&bytes(&broken)).expect("a report");
     assert_eq!(again, broken);
     assert_eq!(again.broken().count(), 1);
-    assert!(stability_page(&again, None).contains("oren-nayar in f32, comes to 150 % of it"));
+    assert!(
+        stability_page(&again, None).contains("oren-nayar in f32 passes its bound: 1.500 of it")
+    );
 }
 
 #[test]
@@ -187,7 +206,7 @@ fn what_another_device_makes_of_it_is_told() {
     assert_eq!(cells("here")[..4], ["here", "f32", "2,468", "5"]);
     assert_eq!(cells("there")[..4], ["there", "f32", "2,468", "1,110"]);
     assert!(
-        table.contains("Of 2 functions in their tiers 1 have"),
+        table.contains("Of 2 functions in their tiers that both have, 1 have"),
         "{table}"
     );
     let page = stability_page(&report(), Some(&other));
@@ -203,7 +222,7 @@ fn what_another_device_makes_of_it_is_told() {
     // Beside itself nothing differs.
     let same = stability_beside(&report(), &report());
     assert!(
-        same.contains("tiers 0 have") && !same.contains("there  "),
+        same.contains("both have, 0 have") && same.lines().count() == 1,
         "{same}"
     );
 }
@@ -222,6 +241,10 @@ fn what_no_run_would_have_written_is_refused() {
     };
     refused(&|r| r.schema = "umber.bench/1".into(), "umber.bench/1");
     refused(&|r| r.rows[1].nan = 1235, "rows[1]: nan");
+    refused(
+        &|r| (r.rows[1].nan, r.rows[1].inf, r.rows[1].negative) = (500, 500, 500),
+        "together",
+    );
     refused(&|r| r.rows[2].inputs = u64::MAX, "rows[2]: inputs");
     refused(&|r| r.rows[0].max_of_bound = Some(-1.0), "max_of_bound");
     refused(&|r| r.rows[0].case = "a\u{1b}[31m".into(), "case");
@@ -231,6 +254,10 @@ fn what_no_run_would_have_written_is_refused() {
     );
     refused(&|r| r.evaluations = 1, "evaluations");
     refused(&|r| r.costs[0].relative = 1e300, "costs[0]: relative");
+    refused(
+        &|r| r.costs[0].relative_95.high = Some(0.1),
+        "relative_95 runs from",
+    );
     refused(&|r| r.maps[0].bits[1].truncate(1), "maps[0]: its cells");
     refused(&|r| r.maps[0].bad.truncate(1), "maps[0]: its cells");
     refused(&|r| r.maps[0].degrees[0] = 1e9, "maps[0]: degrees");
@@ -243,12 +270,12 @@ proptest! {
     #[test]
     fn no_damage_makes_reader_or_page_panic(place in 0_usize..4000, byte: u8) {
         let mut bytes = bytes(&report());
-        if let Some(damaged) = bytes.get_mut(place) {
-            *damaged = byte;
-        }
-        if let Ok(report) = read_stability(&bytes) {
-            let _ = report.table("");
-            let _ = stability_page(&report, Some(&report));
+        let place = place % bytes.len();
+        bytes[place] = byte;
+        if let Ok(damaged) = read_stability(&bytes) {
+            let _ = damaged.table("");
+            let _ = stability_page(&damaged, Some(&report()));
+            let _ = stability_beside(&report(), &damaged);
         }
     }
 }

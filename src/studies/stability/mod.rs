@@ -186,6 +186,8 @@ impl Study {
     }
 
     fn row(&self, case: &str, judgement: &Judgement) -> StabilityRow {
+        // JSON has no infinity.
+        let judged = |figure: f64| (judgement.judged > 0 && figure.is_finite()).then_some(figure);
         StabilityRow {
             function: self.function.name.to_owned(),
             tier: self.tier.name().to_owned(),
@@ -195,11 +197,11 @@ impl Study {
             nan: judgement.nans,
             inf: judgement.infinities,
             negative: judgement.negatives,
-            max_relative_error: (judgement.judged > 0).then_some(judgement.largest_error),
-            mean_relative_error: judgement.mean_error(),
-            max_of_bound: (judgement.judged > 0).then_some(judgement.of_bound),
-            max_ulp: (judgement.judged > 0).then_some(judgement.largest_ulp),
-            max_bits_lost: (judgement.judged > 0).then(|| judgement.bits_lost()),
+            max_relative_error: judged(judgement.largest_error),
+            mean_relative_error: judgement.mean_error().and_then(judged),
+            max_of_bound: judged(judgement.of_bound),
+            max_ulp: judged(judgement.largest_ulp),
+            max_bits_lost: judged(judgement.bits_lost()),
             worst_input: judgement
                 .worst
                 .as_ref()
