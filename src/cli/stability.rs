@@ -160,7 +160,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match json {
         Some(json) => {
             write_json(json, &report)?;
-            beside.iter().filter(|_| !arguments.quiet).for_each(talk);
+            if let Some(beside) = beside.filter(|_| !arguments.quiet) {
+                talk(beside.trim_end());
+            }
         }
         None => {
             let mut text = report.table(software(&report.device.kind));
