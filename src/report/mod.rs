@@ -1,12 +1,12 @@
 //! How does a result leave the program for other programs, and for people?
 
 mod bench;
-mod bench_baseline;
 mod bench_compare;
 mod bench_csv;
 mod bench_headlines;
 mod bench_page;
 mod bench_plots;
+mod bench_reading;
 mod bench_table;
 mod bench_words;
 mod cost;
@@ -32,11 +32,11 @@ mod stability_reading;
 mod table;
 
 pub use bench::{BenchReport, BenchRow, BreakEven, Method};
-pub use bench_baseline::read as read_bench;
 pub use bench_compare::{Change, Comparison, OtherDevice, compare};
 pub use bench_csv::csv as bench_csv;
 pub use bench_headlines::{Headline, headlines};
 pub use bench_page::page as bench_page;
+pub use bench_reading::read as read_bench;
 pub use bench_table::table as bench_table;
 pub use cost::{CostMethod, CostReport, LampRow, PromiseRow, SceneCost, TierRow};
 pub use cost_page::{Sample, page as cost_page};

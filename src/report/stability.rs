@@ -283,74 +283,55 @@ pub(super) const ALIGN: [Align; 9] = [
 
 /// A row as a person reads it.
 pub(super) fn cells(row: &StabilityRow) -> [String; 9] {
-    let [error, of_bound, bits] = errors(row.max_relative_error, row.of_bound(), row.max_bits_lost);
-    [
+    let own = [
         row.case.clone(),
         thousands(row.inputs),
         thousands(row.judged),
-        thousands(row.nan),
-        thousands(row.inf),
-        thousands(row.negative),
-        error,
-        of_bound,
-        bits,
-    ]
-}
-
-/// The error, its share of the bound and the bits lost as a person reads them.
-fn errors(error: Option<f64>, of_bound: Option<f64>, bits: Option<f64>) -> [String; 3] {
-    let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
-    [
-        or_none(error.map(|error| format!("{error:.1e}"))),
-        or_none(of_bound.map(|share| format!("{share:.2}"))),
-        or_none(bits.map(|bits| format!("{bits:.1}"))),
-    ]
+    ];
+    let errors = [row.max_relative_error, row.of_bound(), row.max_bits_lost];
+    with_outcome(own, [row.nan, row.inf, row.negative], errors)
 }
 
 /// The columns of all cases together.
-pub(super) const SUMMARY_HEAD: [&str; 9] = [
-    "function",
-    "tier",
-    "values",
-    "NaN",
-    "Inf",
-    "negative",
-    "max error",
-    "of bound",
-    "bits lost",
-];
+pub(super) const SUMMARY_HEAD: [&str; 9] = {
+    let mut head = HEAD;
+    (head[0], head[1], head[2]) = ("function", "tier", "values");
+    head
+};
 
 /// How they stand.
-pub(super) const SUMMARY_ALIGN: [Align; 9] = [
-    Align::Left,
-    Align::Left,
-    Align::Right,
-    Align::Right,
-    Align::Right,
-    Align::Right,
-    Align::Right,
-    Align::Right,
-    Align::Right,
-];
+pub(super) const SUMMARY_ALIGN: [Align; 9] = {
+    let mut align = ALIGN;
+    align[1] = Align::Left;
+    align
+};
 
 /// All cases of a function in a tier as a person reads them.
 pub(super) fn summary_cells(summary: &Summary) -> [String; 9] {
-    let [error, of_bound, bits] = errors(
-        summary.max_relative_error,
-        summary.of_bound,
-        summary.max_bits_lost,
-    );
-    [
+    let own = [
         summary.function.clone(),
         summary.tier.clone(),
         thousands(summary.inputs),
-        thousands(summary.nan),
-        thousands(summary.inf),
-        thousands(summary.negative),
-        error,
-        of_bound,
-        bits,
-    ]
+    ];
+    let errors = [
+        summary.max_relative_error,
+        summary.of_bound,
+        summary.max_bits_lost,
+    ];
+    with_outcome(own, [summary.nan, summary.inf, summary.negative], errors)
+}
+
+/// A table's own three cells and what both tables end with: how many values are NaN, infinite, negative; the error, its share of the
+/// bound, the bits lost.
+fn with_outcome(own: [String; 3], bad: [u64; 3], errors: [Option<f64>; 3]) -> [String; 9] {
+    let [a, b, c] = own;
+    let [nan, inf, negative] = bad.map(thousands);
+    let [error, of_bound, bits] = errors;
+    let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
+    let error = or_none(error.map(|error| format!("{error:.1e}")));
+    let of_bound = or_none(of_bound.map(|share| format!("{share:.2}")));
+    let bits = or_none(bits.map(|bits| format!("{bits:.1}")));
+    [a, b, c, nan, inf, negative, error, of_bound, bits]
 }
 
 /// The columns of costs.

@@ -120,6 +120,28 @@ fn the_readme_quotes_the_record() -> Tested {
     Ok(())
 }
 
+#[test]
+fn the_readme_quotes_what_the_second_driver_pays() -> Tested {
+    let costs = record("swiftshader")?.costs;
+    let cost = |function: &str, tier: &str| {
+        let row = costs
+            .iter()
+            .find(|row| (&*row.function, &*row.tier) == (function, tier));
+        row.map(|row| format!("{:.2}", row.relative))
+            .ok_or("no such cost")
+    };
+    let quoted = format!(
+        "cost {} and {} of the listing (Oren-Nayar) {} and {} (Cook-Torrance;",
+        cost("oren-nayar", "f32")?,
+        cost("oren-nayar", "f32-compensated")?,
+        cost("cook-torrance", "f32")?,
+        cost("cook-torrance", "f32-compensated")?,
+    );
+    let readme: Vec<_> = readme()?.split_whitespace().map(str::to_owned).collect();
+    assert!(readme.join(" ").contains(&quoted), "{quoted}");
+    Ok(())
+}
+
 fn line_of(summary: &Summary) -> String {
     let cells = [
         summary.function.clone(),
